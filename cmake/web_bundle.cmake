@@ -14,6 +14,8 @@ set(CASTAWAY_WEB_FILES
   src/curves.js
   src/details.js
   src/dom.js
+  src/error_layer.js
+  src/error_scale.js
   src/event_words.js
   src/ground.js
   src/hash_time.js
@@ -50,6 +52,7 @@ set(CASTAWAY_WEB_FILES
   src/plot_columns.js
   src/plot_marks.js
   src/plot_spec.js
+  src/plot_svg.js
   src/plots.css
   src/plots.js
   src/plots_main.js

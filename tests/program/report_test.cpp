@@ -25,8 +25,23 @@ TEST(Report, OfSeveralRunsLeadsToThem) {
   const Outcome outcome = castaway(folder, "report one two --out pages/index.html");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string page = text_of(folder / "pages/index.html");
-  expect_contains(page, "<a href=\"../one/report.html\">lab-kidnap, seed 1</a>");
-  expect_contains(page, "<a href=\"../two/report.html\">lab-kidnap, seed 2</a>");
+  expect_contains(page, "<a href=\"../one/report.html\">seed 1</a>");
+  expect_contains(page, "<a href=\"../two/report.html\">seed 2</a>");
+}
+
+TEST(Report, OfManySeedsIsNamedOnTheTerminalAndTheSameInEveryRepetition) {
+  const fs::path folder = fresh_folder();
+  const std::string seeds = kReported + "--seeds 2 --out ";
+  const Outcome outcome = castaway(folder, seeds + "a --expect \"distance_m > 1000\"");
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  expect_contains(outcome.out, "Page:        a/index.html\n");
+  const std::string page = text_of(folder / "a/index.html");
+  expect_contains(page, "<h1>lab-kidnap: 2 runs</h1>");
+  expect_contains(page, "Expectations: 0 of 2 met.");
+  ASSERT_EQ(castaway(folder, seeds + "b -j 2 --expect \"distance_m > 1000\"").exit_code, 3);
+  EXPECT_TRUE(text_of(folder / "b/index.html") == page);
+  const Outcome without = castaway(folder, seeds + "c --set outputs.report=false");
+  EXPECT_EQ(without.out.find("Page:"), std::string::npos);
 }
 
 TEST(Report, WithoutAPlayerHasNoRecording) {

@@ -3,6 +3,7 @@
 #include "tools/campaign_page/figures_section.hpp"
 #include "tools/campaign_page/headline_section.hpp"
 #include "tools/campaign_page/pairs_section.hpp"
+#include "tools/campaign_page/specification_section.hpp"
 #include "tools/campaign_page/worst_section.hpp"
 #include "tools/report/html/html_page.hpp"
 #include "tools/report/html/plot_data.hpp"
@@ -12,7 +13,7 @@ namespace {
 
 /// Colours of the squares, on the light picture of the map in both themes.
 constexpr const char* kHeatStyle = R"(
-h3 { font-size: 1rem; margin: 0.8rem 0 0.3rem; } li.unmet { color: var(--bad); }
+.specification td, .specification th { text-align: left; } h3 { font-size: 1rem; margin: 0.8rem 0 0.3rem; }
 .heat polygon { fill-opacity: 0.85; stroke: #fff; stroke-width: 0.3; }
 svg .heat text { text-anchor: middle; fill: #111; }
 .by-f .f0 polygon, .by-t .t0 polygon, .by-n .n0 polygon { fill: #cfe3f2; }
@@ -35,9 +36,10 @@ i.h4 { background: #d95f0e; } i.h5 { background: #8c2d04; }
 std::string render_campaign_page(const FinishedCampaign& campaign, const CampaignFigures& figures,
                                  MapOfWorld map_of_world) {
   const std::string body =
-      headline_html(campaign, figures) + plots_notice() + unscored_section(figures) +
-      figures_section(figures) + pairs_section(figures) + recovery_section(figures) +
-      heat_section(campaign, figures, map_of_world) + worst_section(campaign, figures) +
+      headline_html(campaign, figures) + specification_section(campaign.spec) + plots_notice() +
+      unscored_section(figures) + figures_section(figures) + pairs_section(figures) +
+      recovery_section(figures) + heat_section(campaign, figures, map_of_world) +
+      worst_section(campaign, figures) +
       html_section("Costs",
                    "<p>CPU time and memory differ in every repetition and have a page of their "
                    "own: <a href=\"costs.html\">costs.html</a></p>\n");

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/campaign_page/data_table.hpp"
 #include "tools/campaign_page/figures/cell_groups.hpp"
 #include "tools/campaign_page/figures/key_figures.hpp"
+#include "tools/report/html/data_table.hpp"
 #include "tools/report/html/html.hpp"
 #include "tools/report/html/html_page.hpp"
 #include "tools/report/html/plot_data.hpp"
@@ -107,7 +107,7 @@ std::string cost_curves(const KeyFigures& figures) {
   if (!campaign_bundle() || figures.axes().empty()) return "";
   return fmt::format(
       "<div class=\"campaign-curves\"></div><script type=\"application/json\">{}</script>\n",
-      script_json(key_figures_json(figures, {"cells"})));
+      script_json(key_figures_json(figures, {"cells"}, {-1})));
 }
 
 }  // namespace

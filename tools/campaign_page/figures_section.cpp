@@ -53,7 +53,7 @@ DataTable recovery_table(const CampaignFigures& figures) {
                   {}};
   for (std::size_t k = 0; k < figures.series.size(); ++k) {
     const Survival& times = figures.recoveries.overall(k);
-    std::vector<DataCell> row{figures.series[k].label(), count_cell(times.size()),
+    std::vector<DataCell> row{figures.series[k].label, count_cell(times.size()),
                               count_cell(times.events()), count_cell(times.censored()),
                               number_cell(times.median_s())};
     for (const double time_s : {2.0, 10.0}) {
@@ -79,7 +79,7 @@ DataTable figures_table(const CampaignFigures& figures) {
                    "median time [s]", "tracking error [m]", "error, 95 %"},
                   {}};
   for (std::size_t k = 0; k < figures.series.size(); ++k) {
-    const std::string label = figures.series[k].label();
+    const std::string label = figures.series[k].label;
     table.rows.push_back(figures_row({"all", "", label}, figures.recoveries.overall(k),
                                      figures.figures.overall(k, kRecovered),
                                      figures.figures.overall(k, kTracking)));
@@ -92,7 +92,7 @@ DataTable figures_table(const CampaignFigures& figures) {
         const DataCell sorted(value, axes[axis].is_numeric()
                                          ? std::optional(axes[axis].places()[place].x)
                                          : std::nullopt);
-        table.rows.push_back(figures_row({axes[axis].key(), sorted, figures.series[k].label()},
+        table.rows.push_back(figures_row({axes[axis].key(), sorted, figures.series[k].label},
                                          figures.recoveries.at(axis, place, k),
                                          figures.figures.find(axis, place, k, kRecovered),
                                          figures.figures.find(axis, place, k, kTracking)));
@@ -112,7 +112,8 @@ std::string figures_section(const CampaignFigures& figures) {
       "equally "
       "many seeds.</p>\n";
   if (!figures.figures.axes().empty()) {
-    html += drawn_html("campaign-curves", key_figures_json(figures.figures, figures.labels()));
+    html += drawn_html("campaign-curves", key_figures_json(figures.figures, figures.labels(),
+                                                           series_styles(figures.series)));
   }
   return html_section("Figures over the keys",
                       html + data_table_html(figures_table(figures), "No figures."));
@@ -126,7 +127,8 @@ std::string recovery_section(const CampaignFigures& figures) {
   std::vector<std::string> labels = figures.labels();
   labels.pop_back();
   if (!labels.empty()) {
-    html += drawn_html("campaign-recovery", recovery_curves_json(figures.recoveries, labels));
+    html += drawn_html("campaign-recovery", recovery_curves_json(figures.recoveries, labels,
+                                                                 series_styles(figures.series)));
   }
   return html_section("Time to recovery",
                       html + data_table_html(recovery_table(figures), "No kidnaps."));

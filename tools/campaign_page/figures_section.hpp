@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "tools/campaign_page/data_table.hpp"
 #include "tools/campaign_page/figures/campaign_figures.hpp"
+#include "tools/report/html/data_table.hpp"
 
 namespace castaway::testbed {
 

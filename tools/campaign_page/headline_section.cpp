@@ -1,20 +1,19 @@
 #include "tools/campaign_page/headline_section.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
-#include "tools/campaign_page/data_table.hpp"
 #include "tools/metrics/statistics/intervals.hpp"
+#include "tools/report/html/data_table.hpp"
 #include "tools/report/html/html.hpp"
 #include "tools/report/html/html_page.hpp"
+#include "tools/report/runs/expectation_list.hpp"
 
 namespace castaway::testbed {
 namespace {
 
 std::string localizer_sentence(const CampaignFigures& figures, std::size_t k) {
   const Survival& times = figures.recoveries.overall(k);
-  const std::string name = escape_html(figures.series[k].label());
+  const std::string name = escape_html(figures.series[k].label);
   if (times.size() == 0) return fmt::format("<p><strong>{}</strong>: no kidnap.</p>\n", name);
   const RateInterval interval = wilson_interval(times.events(), times.size());
   const auto median = times.median_s();
@@ -24,22 +23,6 @@ std::string localizer_sentence(const CampaignFigures& figures, std::size_t k) {
       name, times.events(), times.size(), 100.0 * times.events() / times.size(),
       100.0 * interval.low, 100.0 * interval.high,
       median ? "half of them within " + readable(median, "s") : "the median time was not reached");
-}
-
-std::string expectations_html(const std::vector<Check>& checks) {
-  if (checks.empty()) return "";
-  const auto met =
-      std::count_if(checks.begin(), checks.end(), [](const Check& check) { return check.met; });
-  std::string html = fmt::format("<p>Expectations: {} of {} met.</p>\n<ul>\n", met, checks.size());
-  for (const Check& check : checks) {
-    const std::string value = check.value ? fmt::format("{:.4g}", *check.value) : "not measured";
-    html += fmt::format("<li class=\"{}\">{}: {} {} ({}; {})</li>\n", check.met ? "met" : "unmet",
-                        check.met ? "met" : "not met", escape_html(check.expectation.metric),
-                        escape_html(to_string(check.expectation.condition)), value,
-                        check.seed ? fmt::format("seed {}", *check.seed)
-                                   : escape_html(to_string(check.expectation.over)));
-  }
-  return html + "</ul>\n";
 }
 
 std::string seeds_text(const CampaignSpec& spec) {
@@ -67,7 +50,7 @@ std::string headline_html(const FinishedCampaign& campaign, const CampaignFigure
              figures.cells(CellOutcome::kDone), figures.cells(CellOutcome::kVoid),
              figures.cells(CellOutcome::kFailed), spec.combinations(), seeds_text(spec), kidnaps,
              recovered, sentences) +
-         expectations_html(campaign.checks);
+         expectation_list(campaign.checks);
 }
 
 std::string unscored_section(const CampaignFigures& figures) {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/campaign_page/data_table.hpp"
+#include "tools/report/html/data_table.hpp"
 #include "tools/report/html/html.hpp"
 #include "tools/report/html/html_page.hpp"
 #include "tools/report/map_svg.hpp"
@@ -101,7 +101,7 @@ std::string heat_choices(const CampaignFigures& figures) {
   std::string options;
   for (std::size_t k = 0; k < figures.series.size(); ++k) {
     options +=
-        fmt::format("<option value=\"{}\">{}</option>", k, escape_html(figures.series[k].label()));
+        fmt::format("<option value=\"{}\">{}</option>", k, escape_html(figures.series[k].label));
   }
   return fmt::format(
       "<p class=\"choices\" hidden><label>Localizer <select class=\"heat-series\">{}</select>"
@@ -119,7 +119,7 @@ DataTable places_table(const CampaignFigures& figures) {
   for (const std::string& world : figures.heat.worlds()) {
     for (std::size_t k = 0; k < figures.series.size(); ++k) {
       for (const auto& [at, bin] : figures.heat.bins(world, k)) {
-        table.rows.push_back({world, figures.series[k].label(), number_cell(at.first * kBinEdge),
+        table.rows.push_back({world, figures.series[k].label, number_cell(at.first * kBinEdge),
                               number_cell(at.second * kBinEdge), count_cell(bin.kidnaps),
                               count_cell(bin.failures), number_cell(bin.failure_share()),
                               number_cell(bin.median_s())});

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/campaign_page/data_table.hpp"
+#include "tools/report/html/data_table.hpp"
 #include "tools/report/html/html_page.hpp"
 
 namespace castaway::testbed {
@@ -20,8 +20,8 @@ std::vector<DataCell> test_row(const CampaignFigures& figures, const PairedTest&
     interval = fmt::format("{:+.3g} to {:+.3g}", test.interval->low, test.interval->high);
   }
   constexpr double kLevel = 0.05;
-  return {figures.series[test.first].label(),
-          figures.series[test.second].label(),
+  return {figures.series[test.first].label,
+          figures.series[test.second].label,
           test.figure,
           count_cell(test.pairs),
           count_cell(test.seeds),

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/campaign_page/data_table.hpp"
+#include "tools/report/html/data_table.hpp"
 #include "tools/report/html/html.hpp"
 #include "tools/report/html/html_page.hpp"
 
@@ -36,24 +36,24 @@ std::string kept_link(const FinishedCampaign& campaign, const WorstKidnap& worst
   return fmt::format("<a href=\"{}/\">kept</a><br>", kept);
 }
 
-std::string values_text(const WorstKidnap& worst) {
+std::string values_text(const WorstKidnap& worst, const ValueLabels& labels) {
   std::string text;
   for (const auto& [key, value] : worst.values) {
-    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key, value);
+    text += fmt::format("{}{} = {}", text.empty() ? "" : "; ", key, labels.words(key, value));
   }
   return text;
 }
 
 std::vector<DataCell> worst_row(const FinishedCampaign& campaign, const CampaignFigures& figures,
-                                const WorstKidnap& worst) {
+                                const ValueLabels& labels, const WorstKidnap& worst) {
   const CellKidnap& kidnap = worst.kidnap.kidnap;
   const auto x = kidnap.T_map_to ? std::optional(kidnap.T_map_to->x) : std::nullopt;
   const auto y = kidnap.T_map_to ? std::optional(kidnap.T_map_to->y) : std::nullopt;
   const std::string command = replay_command(campaign, worst.cell);
   return {count_cell(worst.cell),
           {fmt::format("{}", worst.seed), static_cast<double>(worst.seed)},
-          values_text(worst),
-          figures.series[worst.series].label(),
+          values_text(worst, labels),
+          figures.series[worst.series].label,
           kidnap.kind,
           number_cell(kidnap.at_s),
           number_cell(x),
@@ -83,8 +83,9 @@ std::string worst_section(const FinishedCampaign& campaign, const CampaignFigure
                   {"cell", "seed", "values", "localizer", "kidnap", "at [s]", "x [m]", "y [m]",
                    "lost for [s]", "recovered", "largest error [m]", "play again"},
                   {}};
+  const ValueLabels labels(campaign.spec);
   for (const WorstKidnap& worst : figures.worst.kidnaps()) {
-    table.rows.push_back(worst_row(campaign, figures, worst));
+    table.rows.push_back(worst_row(campaign, figures, labels, worst));
   }
   return html_section(
       "Worst kidnaps",

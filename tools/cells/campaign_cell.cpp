@@ -9,13 +9,6 @@
 namespace castaway::testbed {
 namespace {
 
-std::string on_one_line(const YamlNode& value) {
-  std::string text = emit_yaml(value);
-  for (char& c : text) c = c == '\n' ? ' ' : c;
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  return text;
-}
-
 /// Calls `take(key, value)` for each key of the grid with its value in a combination.
 template <typename Take>
 void each_value(const CampaignSpec& spec, int combination, Take take) {
@@ -48,7 +41,7 @@ void set_values(const CampaignSpec& spec, int combination, CampaignCell& cell, Y
   for (std::size_t k = 0; k < spec.drawn.size(); ++k) {
     const DrawnKey& key = spec.drawn[k];
     YamlNode value = drawn_value(spec, cell, k);
-    cell.values.emplace_back(key.path, on_one_line(value));
+    cell.values.emplace_back(key.path, value_text(value));
     put_value(scenario, key.path, std::move(value), key.where);
   }
 }
@@ -61,11 +54,18 @@ std::string describe_values(const CampaignCell& cell) {
 
 }  // namespace
 
+std::string value_text(const YamlNode& value) {
+  std::string text = emit_yaml(value);
+  for (char& c : text) c = c == '\n' ? ' ' : c;
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text;
+}
+
 std::vector<std::pair<std::string, std::string>> combination_values(const CampaignSpec& spec,
                                                                     int combination) {
   std::vector<std::pair<std::string, std::string>> values;
   each_value(spec, combination, [&](const GridKey& key, const YamlNode& value) {
-    values.emplace_back(key.path, on_one_line(value));
+    values.emplace_back(key.path, value_text(value));
   });
   return values;
 }

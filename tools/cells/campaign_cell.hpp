@@ -20,6 +20,9 @@ struct CampaignCell {
   LoadedScenario loaded;
 };
 
+/// A value as it is in `CampaignCell::values`.
+std::string value_text(const YamlNode& value);
+
 /// The values of a combination of the grid, as in `CampaignCell::values`.
 std::vector<std::pair<std::string, std::string>> combination_values(const CampaignSpec& spec,
                                                                     int combination);

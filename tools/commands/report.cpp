@@ -10,7 +10,7 @@
 #include "tools/output/own_file.hpp"
 #include "tools/output/say.hpp"
 #include "tools/report/report.hpp"
-#include "tools/report/runs_page.hpp"
+#include "tools/report/runs/runs_page.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -55,7 +55,7 @@ int make_reports(const ReportArguments& arguments) {
   }
   if (folders.size() < 2 && arguments.out.empty()) return kDone;
   const fs::path page = arguments.out.empty() ? fs::path("runs.html") : fs::path(arguments.out);
-  put_own_file(page, [&] { write_runs_page(folders, page); });
+  put_own_file(page, [&] { write_runs_page({.folders = folders, .page = page}); });
   print_out("{}\n", page.string());
   return kDone;
 }

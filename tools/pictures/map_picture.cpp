@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "localization/geometry/stamp.hpp"
+#include "tools/pictures/localizer_styles.hpp"
 #include "tools/pictures/palette.hpp"
 
 namespace castaway::testbed {
@@ -11,9 +12,10 @@ MapCaption caption_of(const ScanRecord& record) {
   MapCaption caption;
   caption.clock = fmt::format("{:.1f} s", seconds(record.stamp));
   if (record.T_map_base_true) caption.entries.push_back({"truth", 0x000000, true});
+  const std::vector<std::size_t> styles = localizer_styles(record);
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     caption.entries.push_back(
-        {record.localizers[i].name, palette_color(kLocalizerColors, i), false});
+        {record.localizers[i].name, palette_color(kLocalizerColors, styles[i]), false});
   }
   if (!record.people.people.empty()) caption.entries.push_back({"people", kPeopleColor, true});
   return caption;

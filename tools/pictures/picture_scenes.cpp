@@ -7,6 +7,7 @@
 #include "sim/scene/camera.hpp"
 #include "sim/scene/primitives.hpp"
 #include "tools/pictures/chase_view.hpp"
+#include "tools/pictures/localizer_styles.hpp"
 #include "tools/pictures/palette.hpp"
 #include "tools/pictures/pose_marks.hpp"
 
@@ -45,6 +46,7 @@ void add_ghosts(const PictureWorld& world, const ScanRecord& record, double heig
                 sim::Scene& scene) {
   constexpr double kFloor = 0.02;  // [m] Above the floor.
   constexpr double kNear = 1.0;    // [m]
+  const std::vector<std::size_t> styles = localizer_styles(record);
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;
     if (!estimate) continue;
@@ -52,7 +54,7 @@ void add_ghosts(const PictureWorld& world, const ScanRecord& record, double heig
     double ground = near ? height : 0.0;
     if (record.T_footprint_base_true) ground = estimate->footing ? estimate->footing->z : 0.0;
     add_pose(estimate->T_map_base, 1.2 * world.robot_radius,
-             scene_color(palette_color(kLocalizerColors, i)),
+             scene_color(palette_color(kLocalizerColors, styles[i])),
              kFloor + ground + 0.004 * static_cast<double>(i), scene);
   }
 }
@@ -123,10 +125,10 @@ sim::Scene base_scene(const PictureWorld& world, std::vector<sim::SceneItem> ite
   return scene;
 }
 
-void add_particles(const localization::PopulationView& population, sim::Scene& scene) {
+void add_particles(const localization::PopulationView& population, std::uint32_t color,
+                   sim::Scene& scene) {
   sim::ScenePoints points;
-  points.color =
-      scene_color(palette_color(kPopulationColors, static_cast<std::size_t>(population.id)));
+  points.color = population_color(color, population.id);
   points.size_px = population.selected ? 3.0F : 2.0F;
   for (const SE2& particle : population.particles) {
     points.points.push_back(sim::raise_point(particle.translation(), 0.1));
@@ -216,16 +218,17 @@ sim::Scene map_scene(const PictureWorld& world, const sim::SceneItem& map_item,
   scene.items.push_back(map_item);
   const double radius = std::max(world.robot_radius, 0.012 * scene.camera.ortho_height);
   double z = 0.2;  // Later outlines are drawn above earlier ones.
-  for (const LocalizerRecord& localizer : record.localizers) {
-    for (const auto& population : localizer.diagnostics.populations) {
-      add_particles(population, scene);
+  const std::vector<std::size_t> styles = localizer_styles(record);
+  for (std::size_t i = 0; i < record.localizers.size(); ++i) {
+    for (const auto& population : record.localizers[i].diagnostics.populations) {
+      add_particles(population, palette_color(kLocalizerColors, styles[i]), scene);
     }
   }
   for (const PersonTruth& person : record.people.people) add_person(person, scene);
   if (record.T_map_base_true) add_truth(*record.T_map_base_true, radius, scene);
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;
-    const Vector3f color = scene_color(palette_color(kLocalizerColors, i));
+    const Vector3f color = scene_color(palette_color(kLocalizerColors, styles[i]));
     if (estimate) add_pose(estimate->T_map_base, radius, color, z += 0.1, scene);
   }
   return scene;

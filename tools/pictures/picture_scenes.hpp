@@ -52,9 +52,9 @@ struct MapView {
 /// Length [m] that the image's height covers if the map fills it as far as possible.
 double map_height(const RosMap& map, const MapView& view);
 
-/// The map (`map_item` of `world.map`) from above: particles in one colour per population, an arrow
-/// and an outline for each localizer in its colour, the truth in black, people as ellipses with a
-/// nose.
+/// The map (`map_item` of `world.map`) from above: an arrow and an outline for each localizer in
+/// its colour, its particles in a shade of it for each population, the truth in black, people as
+/// ellipses with a nose.
 sim::Scene map_scene(const PictureWorld& world, const sim::SceneItem& map_item,
                      const ScanRecord& record, const MapView& view);
 

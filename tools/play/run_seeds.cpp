@@ -20,12 +20,14 @@
 #include "tools/play/play_runs.hpp"
 #include "tools/play/seeds_summary.hpp"
 #include "tools/play/verdict_output.hpp"
-#include "tools/report/runs_page.hpp"
+#include "tools/report/runs/runs_page.hpp"
 
 namespace castaway::testbed {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr const char* kIndexName = "index.html";
 
 std::uint64_t seed_of(const SeedsRequest& request, int index) {
   return request.seeds.first + static_cast<std::uint64_t>(index);
@@ -77,7 +79,7 @@ RunsFolder open_folder(SeedsRequest& request, const Scenario& scenario) {
   }
   if (!request.junit.empty()) require_own_file(request.junit);
   request.out = output.target;
-  if (scenario.outputs.report) require_own_file(request.out / "index.html");
+  if (scenario.outputs.report) require_own_file(request.out / kIndexName);
   return {std::move(output), runs};
 }
 
@@ -151,19 +153,19 @@ std::vector<JudgedRun> done_of(const Outcomes& outcomes) {
   return runs;
 }
 
-/// index.html leads to the reports of the seeds.
-void put_index(const SeedsRequest& request, const Scenario& scenario, const Outcomes& outcomes,
-               RunsFolder& folder) {
-  if (!scenario.outputs.report) return;
-  std::vector<std::filesystem::path> folders;
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    if (outcomes[i].run || outcomes[i].void_because) {
-      folders.push_back(folder_of(request, static_cast<int>(i)));
+/// index.html shows what the seeds amount to, and leads to their reports.
+void put_index(const SeedsRequest& request, const Outcomes& outcomes,
+               const std::vector<Check>& checks, RunsFolder& folder) {
+  RunsPage page{{}, request.out / kIndexName, {}, checks};
+  for (int i = 0; i < request.seeds.count; ++i) {
+    const Outcome& outcome = outcomes[static_cast<std::size_t>(i)];
+    if (outcome.run || outcome.void_because) {
+      page.folders.push_back(folder_of(request, i));
+    } else {
+      page.failed_seeds.push_back(seed_of(request, i));
     }
   }
-  if (!folders.empty()) {
-    folder.put("index.html", render_runs_page(folders, request.out / "index.html"));
-  }
+  if (!page.folders.empty()) folder.put(kIndexName, render_runs_page(page));
 }
 
 void write_junit(const SeedsRequest& request, const std::string& scenario, const Outcomes& outcomes,
@@ -195,9 +197,11 @@ int run_seeds(SeedsRequest request) {
   Attempts outputs;
   outputs.make([&] { folder.put("summary.json", json_text(summary, 2) + "\n"); });
   outputs.make([&] { folder.put("timing.json", json_text(timing_of(runs), 2) + "\n"); });
-  outputs.make([&] { put_index(request, scenario, outcomes, folder); });
-  if (!outputs.failed()) folder.finish();
   const std::vector<Check> checks = judge(expectations, runs);
+  if (scenario.outputs.report) {
+    outputs.make([&] { put_index(request, outcomes, checks, folder); });
+  }
+  if (!outputs.failed()) folder.finish();
   outputs.make([&] { write_junit(request, scenario.name, outcomes, checks); });
   outputs.rethrow();
   print_out("{}", request.json ? json_text(summary, 2) + "\n" : describe_seeds(request.out));

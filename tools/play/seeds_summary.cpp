@@ -59,9 +59,12 @@ std::string describe_seeds(const std::filesystem::path& folder) {
   for (const auto& [name, localizer] : summary.at("localizers").items()) {
     table.rows.push_back(seeds_row(name, localizer.at("recovery"), figures));
   }
-  return text + as_text(table, columns_of(stdout)) +
-         fmt::format("\nRun folders: {0}/seed-<n>\nSummary:     {0}/summary.json\n",
-                     folder.string());
+  text += as_text(table, columns_of(stdout));
+  text +=
+      fmt::format("\nRun folders: {0}/seed-<n>\nSummary:     {0}/summary.json\n", folder.string());
+  const std::filesystem::path page = folder / "index.html";
+  return std::filesystem::exists(page) ? text + fmt::format("Page:        {}\n", page.string())
+                                       : text;
 }
 
 void RecoveryTally::add(const MetricTable& run) {

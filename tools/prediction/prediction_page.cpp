@@ -54,7 +54,8 @@ Json against_measured(const std::vector<PredictionRow>& rows, const char* title,
   Json y = axis;
   x["label"] = "log";
   y["label"] = "twin";
-  return {{"title", title}, {"x", x}, {"y", y}, {"series", series}, {"nothing", "No trials."}};
+  return {{"title", title},         {"x", x}, {"y", y}, {"series", series}, {"localizers", true},
+          {"nothing", "No trials."}};
 }
 
 std::string plots_section(const std::vector<PredictionRow>& rows) {

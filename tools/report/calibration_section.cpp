@@ -21,16 +21,18 @@ Json bins_of(const Json& figures) {
   return figures.contains(path) ? figures.at(path) : Json::array();
 }
 
-/// The observed share of right outputs at each stated probability, with its confidence interval.
+/// The observed share of right outputs at each stated probability, with its confidence interval and
+/// the number of scans.
 Json observed_series(const std::string& name, const Json& bins) {
-  Json series{{"name", name}, {"style", "marked"}};
-  for (const char* key : {"x", "y", "low", "high"}) series[key] = Json::array();
+  Json series{{"name", name}, {"style", "sized"}};
+  for (const char* key : {"x", "y", "low", "high", "weight"}) series[key] = Json::array();
   for (const Json& bin : bins) {
     if (bin.at("scans") == 0) continue;
     series["x"].push_back(bin.at("stated"));
     series["y"].push_back(bin.at("observed"));
     series["low"].push_back(bin.at("interval").at(0));
     series["high"].push_back(bin.at("interval").at(1));
+    series["weight"].push_back(bin.at("scans"));
   }
   return series;
 }
@@ -63,11 +65,13 @@ std::string reliability_plots(const Json& localizers) {
   const Json plots{{{"title", "How often an output is right"},
                     {"x", stated},
                     {"y", right},
-                    {"series", observed}},
+                    {"series", observed},
+                    {"localizers", true}},
                    {{"title", "How often each probability is stated"},
                     {"x", stated},
                     {"y", share},
-                    {"series", shares}}};
+                    {"series", shares},
+                    {"localizers", true}}};
   return plots_html({{"plots", plots}}, PlotLayout::kPairs);
 }
 
@@ -112,7 +116,8 @@ std::string calibration_html(const RunFolder& run) {
   if (localizers.empty() || !complete) return "";
   return reliability_plots(localizers) +
          "<p class=\"soft\">Of the outputs with nearly the same stated probability, the share that "
-         "is right, with its 95 % interval. Below the dotted line the localizer is too sure, above "
+         "is right, with its 95 % interval; the larger the dot, the more outputs. Below the dotted "
+         "line the localizer is too sure, above "
          "it not sure enough. Brier score: mean square of the difference, 0 is perfect.</p>\n" +
          counts_table(localizers);
 }

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string_view>
 
 #include <fmt/format.h>
 
+#include "tools/pictures/localizer_styles.hpp"
 #include "tools/report/experiment_page.hpp"
 #include "tools/report/html/html.hpp"
 #include "tools/report/html/html_page.hpp"
@@ -32,13 +35,45 @@ double x_of(double percent) {
   return kLeft + (clipped + kMostChange) / (2.0 * kMostChange) * (kWidth - kLeft - kRight);
 }
 
+using Styles = std::map<std::string, std::size_t>;  // By localizer.
+
+/// The localizer of a metric, if it is one that all localizers have.
+std::string localizer_of(const std::string& metric) {
+  constexpr std::string_view kOfEach = ".availability";
+  return metric.ends_with(kOfEach) ? metric.substr(0, metric.size() - kOfEach.size()) : "";
+}
+
+Styles styles_of(const Comparison& comparison) {
+  std::vector<std::string> names;
+  for (const MetricComparison& row : comparison.metrics) {
+    const std::string name = localizer_of(row.metric);
+    if (!name.empty()) names.push_back(name);
+  }
+  const std::vector<std::size_t> styles = localizer_styles(names);
+  Styles by_name;
+  for (std::size_t i = 0; i < names.size(); ++i) by_name[names[i]] = styles[i];
+  return by_name;
+}
+
+/// The name of a metric, and a square in its localizer's colour.
+std::string metric_text(const std::string& metric, const Styles& styles, double y) {
+  std::string square;
+  for (const auto& [name, style] : styles) {
+    if (!metric.starts_with(name + ".")) continue;
+    square = fmt::format(
+        "<rect style=\"fill:var(--c{})\" x=\"{:.0f}\" y=\"{:.1f}\" width=\"9\" height=\"9\"/>",
+        style, kLeft - 16, y - 4.5);
+  }
+  return fmt::format("{}<text x=\"{:.0f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", square,
+                     kLeft - 22, y + 4, escape_html(metric));
+}
+
 /// Draws the difference and its interval in percent of the baseline.
-std::string bar(const MetricComparison& row, double y) {
+std::string bar(const MetricComparison& row, const Styles& styles, double y) {
   const double scale = 100.0 / std::abs(row.baseline);
   const int verdict = row.verdict();
-  const char* color = verdict == 0 ? "even" : (verdict > 0 ? "c2" : "c1");
-  std::string svg = fmt::format("<text x=\"{:.0f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>",
-                                kLeft - 8, y + 4, escape_html(row.metric));
+  const char* color = verdict == 0 ? "even" : (verdict > 0 ? "better" : "worse");
+  std::string svg = metric_text(row.metric, styles, y);
   if (row.interval) {
     svg += fmt::format(
         "<line class=\"bar {}\" stroke-width=\"4\" x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" "
@@ -46,18 +81,19 @@ std::string bar(const MetricComparison& row, double y) {
         color, x_of(scale * row.interval->low), x_of(scale * row.interval->high), y, y);
   }
   return svg + fmt::format(
-                   "<circle class=\"bar {}\" fill=\"none\" stroke-width=\"3\" cx=\"{:.1f}\" "
+                   "<circle class=\"bar {}\" stroke-width=\"3\" cx=\"{:.1f}\" "
                    "cy=\"{:.1f}\" r=\"4\"/>",
                    color, x_of(scale * row.difference), y);
 }
 
 /// Draws the differences of all metrics whose baseline is not zero.
 std::string differences(const Comparison& comparison) {
+  const Styles styles = styles_of(comparison);
   std::string bars;
   double y = kTop + 0.5 * kRow;
   for (const MetricComparison& row : comparison.metrics) {
     if (row.baseline == 0.0) continue;
-    bars += bar(row, y);
+    bars += bar(row, styles, y);
     y += kRow;
   }
   const double bottom = y - 0.5 * kRow;
@@ -105,8 +141,8 @@ std::string render_comparison(const std::vector<Comparison>& comparisons) {
         comparison.pairs, comparison.unpaired);
     body += html_table(comparison_table(comparison));
     body +=
-        "<p class=\"soft\">Differences in percent of the baseline, with their intervals; green is "
-        "better, orange worse, grey neither.</p>\n";
+        "<p class=\"soft\">Differences in percent of the baseline, with their intervals; filled "
+        "dots: better (green) or worse (red), hollow ones: neither.</p>\n";
     body += differences(comparison) + "</section>\n";
   }
   return html_page({.title = "Comparison", .body = body, .body_class = "figures"});

@@ -56,33 +56,25 @@ Json curves_json(const RunFolder& run) {
                     {"y", {{"log", {0.001, 100}}}},
                     {"series", position},
                     {"limit", right.position_m},
-                    {"marks", kidnaps}},
+                    {"marks", kidnaps},
+                    {"localizers", true}},
                    {{"title", "Yaw error"},
                     {"unit", "°"},
                     {"y", {{"log", {0.01, 180}}}},
                     {"series", yaw},
                     {"limit", kDegrees * right.yaw_rad},
-                    {"marks", kidnaps}},
+                    {"marks", kidnaps},
+                    {"localizers", true}},
                    {{"title", "Quality: how well the scan fits the map"},
                     {"unit", "0 to 1"},
                     {"y", {{"range", {0, 1}}}},
                     {"series", quality},
-                    {"marks", kidnaps}}};
+                    {"marks", kidnaps},
+                    {"localizers", true}}};
   return {{"x", times}, {"plots", plots}};
 }
 
 }  // namespace
-
-std::string map_legend(const RunFolder& run) {
-  constexpr fmt::string_view kEntry =
-      "<span><svg viewBox=\"0 0 26 10\"><line class=\"{}\" x1=\"1\" x2=\"25\" y1=\"5\" "
-      "y2=\"5\"/></svg>{}</span>";
-  std::string html = "<div class=\"legend\">" + fmt::format(kEntry, "truth", "truth");
-  for (std::size_t i = 0; i < run.curves.size(); ++i) {
-    html += fmt::format(kEntry, fmt::format("c{}", i % 6), escape_html(run.curves[i].localizer));
-  }
-  return html + "</div>\n";
-}
 
 std::string curves_section(const RunFolder& run) {
   if (run.curves.empty()) return html_section("Curves", "<p>There was no scan.</p>\n");

@@ -1,4 +1,4 @@
-/// Curves of a run without a recording, and the legend of its map.
+/// Curves of a run without a recording.
 #pragma once
 
 #include <string>
@@ -6,9 +6,6 @@
 #include "tools/report/run_folder.hpp"
 
 namespace castaway::testbed {
-
-/// Legend with the line styles of the truth and of each localizer.
-std::string map_legend(const RunFolder& run);
 
 /// Plots of position error, yaw error and quality over time. Empty if the build has no script to
 /// draw them.

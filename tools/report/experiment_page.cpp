@@ -7,6 +7,7 @@
 
 #include "tools/formats/json_number.hpp"
 #include "tools/metrics/discrimination.hpp"
+#include "tools/pictures/localizer_styles.hpp"
 #include "tools/report/html/html.hpp"
 #include "tools/report/html/html_page.hpp"
 #include "tools/report/html/plot_data.hpp"
@@ -43,8 +44,11 @@ Json over_time(const ExperimentPage& page, const char* title, const char* unit, 
     }
     series.push_back(time_series(rows.localizer, stamps_of(run), values, times));
   }
-  return {
-      {"title", title}, {"unit", unit}, {"y", std::move(y_axis)}, {"series", std::move(series)}};
+  return {{"title", title},
+          {"unit", unit},
+          {"y", std::move(y_axis)},
+          {"series", std::move(series)},
+          {"localizers", true}};
 }
 
 std::string curves(const ExperimentPage& page) {
@@ -79,15 +83,13 @@ Json scatter(const ExperimentPage& page, const char* title, Json y_axis, FigureO
     }
     series.push_back(point_series(rows.localizer, "dots", every_few(points, kMostDots)));
   }
-  return {{"title", title},
-          {"x", {{"label", "position error [m]"}, {"log", {0.001, 100}}}},
-          {"y", std::move(y_axis)},
-          {"series", std::move(series)},
-          {"nothing", "No outputs."}};
+  return {{"title", title},         {"x", {{"label", "position error [m]"}, {"log", {0.001, 100}}}},
+          {"y", std::move(y_axis)}, {"series", std::move(series)},
+          {"localizers", true},     {"nothing", "No outputs."}};
 }
 
-/// ROC curves of one localizer for its three scores.
-Json roc(const PooledRows& rows) {
+/// ROC curves of one localizer for its three scores, in its colour.
+Json roc(const PooledRows& rows, std::size_t style) {
   std::array<std::vector<ScoredOutput>, 3> scores;
   for (const std::vector<ErrorRow>& run : rows.runs) {
     for (const ErrorRow& row : run) {
@@ -104,8 +106,11 @@ Json roc(const PooledRows& rows) {
   constexpr std::array<const char*, 3> kNames{"quality", "stated probability", "covariance"};
   Json series = Json::array();
   for (std::size_t i = 0; i < kNames.size(); ++i) {
-    series.push_back(
-        point_series(kNames[i], "", every_few(roc_curve(std::move(scores[i])), kMostOfRoc)));
+    Json curve =
+        point_series(kNames[i], "", every_few(roc_curve(std::move(scores[i])), kMostOfRoc));
+    curve["color"] = style;
+    curve["dash"] = i;
+    series.push_back(std::move(curve));
   }
   return {{"title", rows.localizer},
           {"x", {{"label", "wrong outputs passed, share"}, {"range", {0, 1}}}},
@@ -120,7 +125,10 @@ std::string right_from_wrong(const ExperimentPage& page) {
   const Json dots{scatter(page, "Quality against error", share, quality_of),
                   scatter(page, "Uncertainty against error", metres, sigma_of)};
   Json rocs = Json::array();
-  for (const PooledRows& rows : page.rows) rocs.push_back(roc(rows));
+  std::vector<std::string> names;
+  for (const PooledRows& rows : page.rows) names.push_back(rows.localizer);
+  const std::vector<std::size_t> styles = localizer_styles(names);
+  for (std::size_t i = 0; i < page.rows.size(); ++i) rocs.push_back(roc(page.rows[i], styles[i]));
   return html_section("Quality and uncertainty against error, all runs",
                       plots_html({{"plots", dots}}, PlotLayout::kPairs)) +
          html_section("ROC curves: which figure tells right outputs from wrong ones",

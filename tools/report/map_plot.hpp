@@ -1,4 +1,4 @@
-/// Paths on the map as inline SVG.
+/// Paths on the map as inline SVG, coloured by the error of the localizers.
 #pragma once
 
 #include <optional>
@@ -16,9 +16,10 @@ struct ReportMaps {
   LevelMaps levels{};  ///< Of a run on several floors, drawn in place of the map.
 };
 
-/// Draws the map with the true path, each localizer's path and a scale bar below it as an `<svg>`;
-/// of several floors, one for each with its height as caption and the parts of the paths that are
-/// on it. Jumps of more than 1 m are not connected. Without a map, only the paths are drawn.
+/// A map for each localizer: the true path coloured by its position error, its own path in its
+/// colour, kidnaps with their numbers, and its recoveries. On several floors one for each floor.
+/// Without truth one map with the localizers' own paths. Jumps of more than 1 m are not connected.
+/// Without a map, only the paths are drawn. A legend of the colours comes first.
 std::string render_map_plot(const RunFolder& run, const ReportMaps& maps);
 
 }  // namespace castaway::testbed

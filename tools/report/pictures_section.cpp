@@ -39,8 +39,8 @@ std::string pictures_section(const RunFolder& run) {
   }
   std::string html =
       "<p class=\"soft\">On the map: the truth in black, each localizer in its colour, its "
-      "particles "
-      "in one colour a population. In the room: lidar hits in red.</p>\n<div class=\"pictures\">";
+      "particles in shades of it, one a population. In the room: lidar hits in red.</p>\n"
+      "<div class=\"pictures\">";
   const bool drop_by_time = run.pictures.size() > kMaxPictures;
   std::size_t shown = 0;
   for (const ReportPicture& picture : run.pictures) {

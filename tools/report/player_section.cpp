@@ -7,6 +7,7 @@
 #include "tools/report/html/html.hpp"
 #include "tools/report/html/html_page.hpp"
 #include "tools/report/html/plot_data.hpp"
+#include "tools/report/kidnap_section.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -32,7 +33,11 @@ Json page_of(const RunFolder& run) {
                       {"from", point(event.T_map_from, event.from_z)},
                       {"to", point(event.T_map_to, event.to_z)}});
   }
-  return {{"right_m", right.position_m}, {"right_rad", right.yaw_rad}, {"events", events}};
+  const std::optional<double> open_s = opening_time(run);
+  return {{"right_m", right.position_m},
+          {"right_rad", right.yaw_rad},
+          {"open_s", open_s ? Json(*open_s) : Json()},
+          {"events", events}};
 }
 
 }  // namespace
@@ -52,7 +57,12 @@ std::string player_section(const RunFolder& run) {
            "(<code>outputs.player</code>).</p>\n";
   }
   return plots_notice() + "<div class=\"live\" hidden>\n" +
-         html_section("Player", "<div id=\"castaway-player\"></div>\n") +
+         html_section("Player", "<div id=\"castaway-player\"></div>\n") + "</div>\n";
+}
+
+std::string player_curves(const RunFolder& run) {
+  if (!has_player(run)) return "";
+  return "<div class=\"live\" hidden>\n" +
          html_section(
              "Curves",
              "<div class=\"curves-head\"><p class=\"soft\">A click moves the player; drag to "

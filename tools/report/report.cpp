@@ -12,6 +12,7 @@
 #include "tools/report/curves_section.hpp"
 #include "tools/report/html/html.hpp"
 #include "tools/report/html/html_page.hpp"
+#include "tools/report/kidnap_section.hpp"
 #include "tools/report/pictures_section.hpp"
 #include "tools/report/player_section.hpp"
 #include "tools/report/repeat_section.hpp"
@@ -40,7 +41,9 @@ std::string lead_text(const RunFolder& run) {
   for (const auto& [name, figures] : run.summary["localizers"].items()) {
     html += fmt::format("<p>{}</p>\n", describe_localizer(run, name));
   }
-  html += fmt::format("</div>\n<p class=\"soft\">{}</p>\n", describe_run(run));
+  html += fmt::format(
+      "</div>\n<p class=\"soft\">{} castaway {}<span id=\"castaway-made-place\"></span></p>\n",
+      describe_run(run), escape_html(run.summary.value("castaway", "?")));
   for (const auto& note : run.summary.value("notes", nlohmann::ordered_json::array())) {
     html += fmt::format("<p class=\"soft\">Note: {}.</p>\n", escape_html(note.get<std::string>()));
   }
@@ -53,20 +56,34 @@ std::string calibration_section(const RunFolder& run) {
   return html.empty() ? "" : html_section("Stated probability", html);
 }
 
+std::string path_section(const RunFolder& run, const ReportMaps& maps) {
+  if (is_without_truth(run.summary)) {
+    return html_section("Paths on the map", render_map_plot(run, maps));
+  }
+  return html_section("Error along the path",
+                      "<p class=\"soft\">The true path in the colours of the error, the "
+                      "localizer's own path as a thin line. ▼: where a kidnap put the robot; ✓: "
+                      "where the localizer was right again.</p>\n" +
+                          render_map_plot(run, maps));
+}
+
+/// When and where the run was made; the page's script shows it at its head, too.
+std::string made_text(const RunFolder& run) {
+  if (!run.timing.contains("made")) return "";
+  const auto& made = run.timing.at("made");
+  return fmt::format("<p id=\"castaway-made\">made on {}, {}</p>\n",
+                     escape_html(made.value("date", "?")), escape_html(made.value("machine", "?")));
+}
+
 std::string timing_section(const RunFolder& run) {
   if (run.timing.is_null()) return "";
   const std::string body = fmt::format(
       "<p class=\"soft\">Measured by a clock: the only part that differs from one repetition to "
       "the "
-      "next.</p>\n{}",
-      timing_tables(run));
+      "next.</p>\n{}{}",
+      made_text(run), timing_tables(run));
   return fmt::format("<!-- timing: begin -->\n{}<!-- timing: end -->\n",
                      html_section("Timing", body));
-}
-
-/// Wraps content that the script hides once the player, which shows the same, has started.
-std::string hidden_by_player(const std::string& html) {
-  return "<div class=\"still\">\n" + html + "</div>\n";
 }
 
 /// The maps in the run's recording, if there is one.
@@ -86,11 +103,10 @@ std::string render_report(const RunFolder& run, const ReportMaps& maps) {
   const std::string title = run.summary.value("scenario", "run");
   const bool player = has_player(run);
   const std::string body = "<div id=\"castaway-theme-place\"></div>\n<h1>" + escape_html(title) +
-                           "</h1>\n" + lead_text(run) + player_section(run) +
-                           html_section("Figures", metric_table(run)) + expectations_section(run) +
-                           (player ? "" : curves_section(run)) + calibration_section(run) +
-                           hidden_by_player(html_section(
-                               "Path on the map", map_legend(run) + render_map_plot(run, maps))) +
+                           "</h1>\n" + lead_text(run) + player_section(run) + kidnap_section(run) +
+                           player_curves(run) + html_section("Figures", metric_table(run)) +
+                           expectations_section(run) + (player ? "" : curves_section(run)) +
+                           path_section(run, maps) + calibration_section(run) +
                            html_section("Events", event_table(run)) + pictures_section(run) +
                            repeat_section(run) + player_data(run) + timing_section(run);
   return html_page(

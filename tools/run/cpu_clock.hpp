@@ -1,8 +1,9 @@
-/// Clocks and memory use of a run. Results do not depend on them.
+/// Clocks, memory use and machine of a run. Results do not depend on them.
 #pragma once
 
 #include <chrono>
 #include <optional>
+#include <string>
 
 namespace castaway::testbed {
 
@@ -17,5 +18,11 @@ double peak_memory_mb();
 
 /// Monotonic time, for the duration of a run.
 std::chrono::nanoseconds wall_time();
+
+/// "2026-11-30 18:05 UTC", of now.
+std::string utc_date();
+
+/// The processor and the number of its cores that castaway may use: "AMD EPYC 7B13, 8 cores".
+std::string machine_text();
 
 }  // namespace castaway::testbed

@@ -63,6 +63,7 @@ void TimingSink::finish(Stamp end, const RunTiming& timing) {
       {"physics", 0.0}, {"lidar", 0.0}, {"people", 0.0}, {"localizers", 0.0}, {"sinks", 0.0}};
   for (const auto& [stage, cpu] : timing.cpu_s) root["cpu_s"][stage] = cpu;
   root["memory_mb"] = {{"peak", peak_memory_mb()}};
+  root["made"] = {{"date", utc_date()}, {"machine", machine_text()}};
   root["localizers"] = Json::object();
   for (std::size_t i = 0; i < update_ms_.size(); ++i) {
     Json& localizer = root["localizers"][info_.localizers[i]];

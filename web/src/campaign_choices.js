@@ -1,15 +1,20 @@
 // Plots that change with a choice: one figure of many, one key of several.
 import {element} from './dom.js';
-import {curvesPlot, firstFigure} from './campaign_plots.js';
+import {curvesPlot, figureGroups, firstFigure} from './campaign_plots.js';
 import {addPlot, widthIn} from './plot.js';
 import {complete, isEmpty} from './plot_spec.js';
 
 const kHeight = 280;  // [px]
 
-/** Plots below a choice. `options`: names; `plotsOf(i)`: descriptions. Returns a function that recolours them. */
-function addChoice(place, title, options, chosen, plotsOf, colors) {
-  const select = element('select', {change: () => draw()},
-    ...options.map((name, i) => element('option', {value: String(i), selected: i === chosen}, name)));
+/**
+ * Plots below a choice. `options`: names; `groups`: of them, as figureGroups has them, or null; `plotsOf(i)`: descriptions.
+ * Returns a function that recolours them.
+ */
+function addChoice(place, title, {options, groups = null, chosen}, plotsOf, colors) {
+  const option = (name) => element('option', {value: String(options.indexOf(name))}, name);
+  const select = element('select', {change: () => draw()}, ...(groups === null ? options.map(option)
+    : groups.map(([label, names]) => element('optgroup', {label}, ...names.map(option)))));
+  select.value = String(chosen);
   const plots = element('div', {class: 'plots pairs'});
   place.append(element('p', {class: 'choices'}, element('label', {}, `${title} `, select)), plots);
   let drawn = [];
@@ -46,11 +51,13 @@ export function addChoices(colors) {
   for (const place of document.querySelectorAll('.campaign-curves')) {
     const data = dataOf(place);
     const plots = (figure) => data.axes.map((axis) => curvesPlot(data, axis, figure));
-    recolors.push(addChoice(place, 'Figure', data.names, firstFigure(data.names), plots, colors));
+    recolors.push(addChoice(place, 'Figure', {options: data.names, groups: figureGroups(data.names),
+      chosen: firstFigure(data.names)}, plots, colors));
   }
   for (const place of document.querySelectorAll('.campaign-recovery')) {
     const groups = dataOf(place);
-    recolors.push(addChoice(place, 'By', groups.map(({name}) => name), 0, (i) => groups[i].plots, colors));
+    recolors.push(addChoice(place, 'By', {options: groups.map(({name}) => name), chosen: 0}, (i) => groups[i].plots,
+      colors));
   }
   return recolors;
 }

@@ -42,7 +42,10 @@ export function transport(act) {
   }};
 }
 
-/** On and off for each layer, which localizer is shown, and which floor; `heights` [m]: of the floors. */
+/**
+ * On and off for each layer, which localizer is shown, which floor, and whose error colours the path where `state` has
+ * `errorOf`; `heights` [m]: of the floors.
+ */
 export function layerChoices(state, names, act, heights = []) {
   const boxes = kLayers.map(([layer, text]) => {
     const box = element('input', {type: 'checkbox', checked: state.show.has(layer), change: () => {
@@ -63,6 +66,12 @@ export function layerChoices(state, names, act, heights = []) {
       state.of = Number(value);
       act('draw');
     });
+  const errorOf = choice('Localizer whose error colours the path',
+    [[-1, 'path without errors'], ...names.map((n, k) => [k, `path by the error of ${n}`])],
+    (value) => {
+      state.errorOf = Number(value);
+      act('draw');
+    });
   const scanAt = choice('Where the scan is drawn',
     [[-1, 'scan where the robot is'], ...names.map((n, k) => [k, `scan where ${n} says it is`])],
     (value) => {
@@ -70,7 +79,8 @@ export function layerChoices(state, names, act, heights = []) {
       act('draw');
     });
   return element('div', {class: 'layers', role: 'group', 'aria-label': 'What the map shows'},
-    ...boxes, ...(heights.length > 1 ? [floor] : []), ...(names.length > 1 ? [of] : []), ...(names.length ? [scanAt] : []));
+    ...boxes, ...(heights.length > 1 ? [floor] : []), ...(names.length > 1 ? [of] : []), ...(names.length ? [scanAt] : []),
+    ...(names.length && state.errorOf !== undefined ? [errorOf] : []));
 }
 
 /** The buttons over the map, and `more` of them. */

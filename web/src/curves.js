@@ -2,8 +2,10 @@
 import uPlot from 'uplot';
 import {element} from './dom.js';
 import {hasTruth} from './measures.js';
+import {stylesOf} from './palette.js';
 import {addPlot, widthIn} from './plot.js';
 import {drawAlarms, drawMarks} from './plot_marks.js';
+import {plotsSvg} from './plot_svg.js';
 
 const kHeight = 190;  // [px]
 
@@ -19,7 +21,7 @@ export const kCurves = [
   {title: 'Uncertainty: standard deviation of the position', unit: 'm', log: [0.001, 100],
     of: (l) => answered(l, l.sigma)},
   {title: 'Hypotheses: populations of particles', unit: 'count', of: (l) => Array.from(l.populations)},
-];
+].map((curve) => ({...curve, localizers: true}));
 
 /** Nothing where the localizer has no answer, or does not state the value. */
 function answered(localizer, values) {
@@ -57,12 +59,12 @@ export class Curves {
     plot.over.append(head);
     this.linkZoom(plot);
     plot.over.addEventListener('click', (event) => this.click(plot, event));
-    this.plots.push({plot, head});
+    this.plots.push({plot, head, curve});
   }
 
   draw(plot) {
     drawMarks(plot, this.marks, this.colors());
-    drawAlarms(plot, this.run.alarms, this.colors());
+    drawAlarms(plot, this.run.alarms, this.colors(), stylesOf(this.run.recording.names));
   }
 
   /** All plots show the stretch of time that one was zoomed to. */
@@ -82,6 +84,14 @@ export class Curves {
     if (plot.select.width > 0) return;
     const box = plot.over.getBoundingClientRect();
     this.seek(plot.posToVal(event.clientX - box.left, 'x'));
+  }
+
+  /** All plots, as they are drawn now, as vector graphics. */
+  svg() {
+    const {recording, limits} = this.run;
+    const styles = stylesOf(recording.names);
+    return plotsSvg(this.plots.map(({plot, curve}) => ({plot, title: curve.title, unit: curve.unit, styles,
+      marks: this.marks, limit: limits[curve.limit]})), recording.names, this.colors());
   }
 
   /** All plots, as they are drawn now. */

@@ -1,9 +1,10 @@
 // What the map shows, each layer by a function of (context, scene). A scene is:
 // {recording, view, colors, time, scan, detail, show: set of layers, of: localizer shown or -1,
 //  scanAt: -1 for the truth or a localizer, map and mapCanvas of the floor that is seen, onLevel(z): true on it, events,
+//  errors: of each localizer over the scans, errorOf: localizer whose errors colour the path or -1,
 //  live: {truth, estimates} between scans, or undefined}
 import {beamEnds, beamsOf, peopleOf, populationsOf} from './details.js';
-import {kDashes, outline, pick} from './palette.js';
+import {kDashes, outline, pick, shade, styleOf} from './palette.js';
 import {pieces, poseAt} from './poses.js';
 import {toScreen} from './view.js';
 import {worldAt} from './world_changes.js';
@@ -33,7 +34,8 @@ export function drawPaths(context, scene, whole) {
   const tracks = [{track: recording.truth, color: colors.ink, dash: [], width: 5}];
   for (const {localizer, k} of shown(scene)) {
     tracks.push({
-      track: localizer, color: pick(colors.localizers, k), dash: pick(kDashes, k), width: 2,
+      track: localizer, color: pick(colors.localizers, styleOf(recording.names, k)),
+      dash: pick(kDashes, styleOf(recording.names, k)), width: 2,
     });
   }
   context.save();
@@ -48,9 +50,9 @@ export function drawPaths(context, scene, whole) {
   context.restore();
 }
 
-/** A particle: a square for the first localizer, a cross for the second, and so on. */
-function dot(context, k, px, py, size) {
-  if (k % 2 === 0) {
+/** A particle: a square for localizers of an even style, a cross for the others. */
+function dot(context, style, px, py, size) {
+  if (style % 2 === 0) {
     context.fillRect(px - size / 2, py - size / 2, size, size);
   } else {
     context.fillRect(px - size, py - 0.6, 2 * size, 1.2);
@@ -62,13 +64,14 @@ export function drawParticles(context, scene) {
   const {recording, view, colors, detail} = scene;
   if (detail < 0) return;
   for (const {k} of shown(scene)) {
+    const style = styleOf(recording.names, k);
     for (const population of populationsOf(recording, k, detail).filter(({z}) => scene.onLevel(z))) {
       const size = population.selected ? 3 : 2.4;
-      context.fillStyle = pick(colors.populations, population.id);
+      context.fillStyle = shade(pick(colors.localizers, style), population.id);
       context.globalAlpha = population.selected ? 0.85 : 0.7;
       const {points} = population;
       for (let i = 0; i < points.length; i += 2) {
-        dot(context, k, ...toScreen(view, points[i], points[i + 1]), size);
+        dot(context, style, ...toScreen(view, points[i], points[i + 1]), size);
       }
     }
   }
@@ -138,7 +141,7 @@ function drawRobot(context, {recording, view, onLevel}, pose, k, style) {
   context.globalAlpha = onLevel(pose.z) ? 1 : kElsewhere;
   context.translate(px, py);
   context.rotate(-pose.yaw);
-  outline(context, Math.max(k, 0), radius);
+  outline(context, k < 0 ? 0 : styleOf(recording.names, k), radius);
   context.lineWidth = style.width;
   context.strokeStyle = style.color;
   context.setLineDash(style.dash ?? []);
@@ -162,7 +165,7 @@ export function drawEstimates(context, scene) {
   for (const {localizer, k} of shown(scene)) {
     const pose = scene.live?.estimates[k] ?? poseAt(localizer, recording.time, scan, time);
     if (!pose) continue;
-    const color = pick(colors.localizers, k);
+    const color = pick(colors.localizers, styleOf(recording.names, k));
     const [px, py] = toScreen(view, pose.x, pose.y);
     context.fillStyle = color;
     context.globalAlpha = scene.onLevel(pose.z) ? 0.15 : 0;

@@ -6,7 +6,7 @@ import './view3d/view3d.css';
 import {fromBase64, gunzip} from './bytes.js';
 import {curvesCsv} from './curve_rows.js';
 import {element} from './dom.js';
-import {hashTime} from './hash_time.js';
+import {hashTime, openingTime} from './hash_time.js';
 import {errorsOf, statesOf, stretches} from './measures.js';
 import {Player} from './player.js';
 import {drawPlots} from './plots.js';
@@ -35,7 +35,7 @@ async function load() {
   const alarms = recording.localizers.map(({lost}) =>
     stretches(Array.from(lost), recording.time, recording.time.at(-1)).filter(({state}) => state === 1));
   const limits = {rightM: page.right_m, rightDeg: (page.right_rad * 180) / Math.PI};
-  return {recording, errors, states, alarms, limits, events: page.events, scene: sceneOf(recording)};
+  return {recording, errors, states, alarms, limits, events: page.events, open: page.open_s ?? null, scene: sceneOf(recording)};
 }
 
 /** Buttons that save curves and pictures. */
@@ -44,6 +44,7 @@ function savers(player, run) {
   const button = (text, act) => element('button', {type: 'button', click: act}, text);
   return [
     button('Curves as CSV', () => save(`${name}-curves.csv`, curvesCsv(run), 'text/csv')),
+    button('Curves as SVG', () => save(`${name}-curves.svg`, player.curves.svg(), 'image/svg+xml')),
     button('Curves as PNG', () => saveCanvases(`${name}-curves.png`, player.curves.canvases(), player.colors.page)),
     button('Map as PNG', () => saveCanvases(`${name}-map.png`, [player.views.shown], player.colors.page)),
   ];
@@ -61,7 +62,15 @@ function linkRows(player) {
   }
 }
 
+/** When and where the run was made also stands at the head: it is written among the times, which differ in every repetition. */
+function showMade() {
+  const made = document.getElementById('castaway-made');
+  const place = document.getElementById('castaway-made-place');
+  if (made && place) place.textContent = `, ${made.textContent}`;
+}
+
 async function start() {
+  showMade();
   const recolorPlots = drawPlots();
   let recolor = () => {};
   addThemeSwitch(document.getElementById('castaway-theme-place') ?? document.body, () => {
@@ -73,7 +82,6 @@ async function start() {
   try {
     const run = await load();
     const curves = document.getElementById('castaway-curves');
-    for (const still of document.querySelectorAll('.still')) still.hidden = true;
     for (const live of document.querySelectorAll('.live')) live.hidden = false;
     const player = new Player(place, curves, run);
     const zoom = document.getElementById('castaway-zoom');
@@ -81,11 +89,14 @@ async function start() {
     zoom?.before(...savers(player, run));
     recolor = () => player.recolor();
     linkRows(player);
-    const asked = hashTime(location.hash);
+    const asked = hashTime(location.hash) ?? openingTime(run.open, run.recording.time);
     if (asked !== null) player.act('seek', asked);
+    addEventListener('hashchange', () => {
+      const time = hashTime(location.hash);
+      if (time !== null) player.act('seek', time);
+    });
     place.dataset.ready = 'true';
   } catch (error) {
-    for (const still of document.querySelectorAll('.still')) still.hidden = false;
     for (const live of document.querySelectorAll('.live')) live.hidden = true;
     place.hidden = false;
     place.replaceChildren(element('p', {role: 'alert'}, `The player cannot start: ${error.message}`));

@@ -1,4 +1,5 @@
 // The canvas with the map: its size, what hands and wheels do to it, and when it is drawn.
+import {drawErrors} from './error_layer.js';
 import {drawMap, drawScaleBar} from './ground.js';
 import * as layers from './layers.js';
 import {floorOf} from './levels.js';
@@ -6,7 +7,7 @@ import {mapCanvas} from './map_image.js';
 import {poseAt} from './poses.js';
 import {boundsOf, fitted, panned, resized, toMap, zoomed} from './view.js';
 
-/** The map on a canvas. `state`: {time, show, of, scanAt, follow}, changed from outside. */
+/** The map on a canvas. `state`: {time, show, of, scanAt, errorOf, follow}, changed from outside. */
 export class MapView {
   constructor(canvas, recording, events, state) {
     this.canvas = canvas;
@@ -18,6 +19,7 @@ export class MapView {
     this.view = null;
     this.isWhole = true;  // Nobody has moved it.
     this.onMoved = () => {};
+    this.errors = null;  // Of the localizers, as measures.js has them: colours of the path.
     // A hand: {grab(point, view) -> {move(point), drop(point)} or null, draw(context, scene)}.
     this.hand = null;
     this.held = null;
@@ -142,6 +144,7 @@ export class MapView {
     return {
       recording, view: this.view, colors: this.colors, time: state.time, scan,
       detail: recording.detailAt(scan), show: state.show, of: state.of, scanAt: state.scanAt,
+      errors: this.errors, errorOf: state.errorOf ?? -1,
       events: this.events, live: state.live, map: floor.map, mapCanvas: this.imageOf(floor), onLevel: floor.onLevel,
     };
   }
@@ -160,6 +163,7 @@ export class MapView {
   drawRun(context, scene) {
     const {show} = scene;
     layers.drawWorld(context, scene);
+    drawErrors(context, scene);
     if (show.has('paths')) layers.drawPaths(context, scene, true);
     if (show.has('trails')) layers.drawPaths(context, scene, false);
     if (show.has('particles')) layers.drawParticles(context, scene);

@@ -1,7 +1,7 @@
 // What the localizers say at the time that is shown.
 import {element, readable} from './dom.js';
 import {hasTruth, kStateWords, kUnknown, kWrong, kRight} from './measures.js';
-import {kDashes, outline, pick} from './palette.js';
+import {kDashes, outline, pick, styleOf} from './palette.js';
 
 const kScoredRows = ['error', 'yaw error'];
 const kStatedRows = ['stated probability', 'quality', 'uncertainty', 'hypotheses'];
@@ -14,21 +14,21 @@ function swatch() {
   return element('canvas', {class: 'swatch', width: 80, height: 40, 'aria-hidden': 'true'});
 }
 
-function paint(canvas, k, colors) {
+function paint(canvas, style, colors) {
   const context = canvas.getContext('2d');
   context.setTransform(1, 0, 0, 1, 0, 0);
   context.clearRect(0, 0, canvas.width, canvas.height);
   context.scale(2, 2);
-  context.strokeStyle = pick(colors.localizers, k);
+  context.strokeStyle = pick(colors.localizers, style);
   context.lineWidth = 2.5;
-  context.setLineDash(pick(kDashes, k));
+  context.setLineDash(pick(kDashes, style));
   context.beginPath();
   context.moveTo(20, 10);
   context.lineTo(40, 10);
   context.stroke();
   context.setLineDash([]);
   context.translate(9, 10);
-  outline(context, k, 6);
+  outline(context, style, 6);
   context.stroke();
 }
 
@@ -50,7 +50,7 @@ export class Panel {
   }
 
   recolor(colors) {
-    this.cards.forEach((card, k) => paint(card.picture, k, colors));
+    this.cards.forEach((card, k) => paint(card.picture, styleOf(this.run.recording.names, k), colors));
   }
 
   /** A word for a state; why, where it is not scored. */

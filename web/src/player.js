@@ -3,10 +3,11 @@ import {Curves} from './curves.js';
 import {help, layerChoices, mapButtons, transport} from './controls.js';
 import {element} from './dom.js';
 import {actionOf, ownsKey} from './keys.js';
-import {mapLegend, timeLegend} from './legend.js';
+import {errorLegend, mapLegend, timeLegend} from './legend.js';
 import {MapView} from './map_view.js';
 import {Views} from './view3d/views.js';
 import {marksOf} from './marks.js';
+import {hasTruth} from './measures.js';
 import {palette} from './palette.js';
 import {Panel} from './panel.js';
 import {Playback} from './playback.js';
@@ -27,7 +28,7 @@ export class Player {
     this.place = place;
     this.run = run;
     this.state = {
-      time: run.recording.time[0] ?? 0, of: -1, scanAt: -1, level: -1, follow: false,
+      time: run.recording.time[0] ?? 0, of: -1, scanAt: -1, errorOf: -1, level: -1, follow: false,
       show: new Set(['truth', 'estimates', 'particles', 'scan', 'people', 'trails']),
     };
     this.colors = palette();
@@ -49,6 +50,8 @@ export class Player {
     const canvas = element('canvas', {class: 'map', tabindex: 0, role: 'img',
       'aria-label': 'Map with the robot, its estimates, particles, scan and people'});
     this.mapView = new MapView(canvas, recording, events, this.state);
+    if (hasTruth(recording)) this.mapView.errors = this.run.errors;
+    else delete this.state.errorOf;
     this.mapView.onMoved = () => this.buttons.show(this.state.follow);
     this.views = new Views(this.mapView, recording, events, this.state, () => this.changed(),
       'drag: turn · right button or two fingers: move · wheel: nearer');
@@ -58,11 +61,14 @@ export class Player {
     this.curvePlace = element('div', {class: 'curve'});
     const cards = element('div', {class: 'cards'});
     this.panel = new Panel(cards, this.run);
+    this.errorLegend = errorLegend();
+    const side = element('div', {class: 'side'}, cards,
+      layerChoices(this.state, recording.names, act, recording.header.levels?.z_m));
     this.views.setScene(this.run.scene);
     canvas.style.aspectRatio = aspectOf(recording.header.levels?.map ?? recording.header.map);
     this.place.append(
-      element('div', {class: 'map-frame'}, canvas, ...this.views.parts, this.buttons.row), cards, this.transport.row, this.timePlace, timeLegend(marks),
-      this.curvePlace, layerChoices(this.state, recording.names, act, recording.header.levels?.z_m), mapLegend(), help());
+      element('div', {class: 'map-frame'}, canvas, ...this.views.parts, this.buttons.row), side, this.errorLegend,
+      this.transport.row, this.timePlace, timeLegend(marks), this.curvePlace, mapLegend(), help());
   }
 
   recolor() {
@@ -97,6 +103,7 @@ export class Player {
     this.state.time = time;
     const scan = this.run.recording.scanAt(time);
     this.views.draw();
+    this.errorLegend.hidden = !(this.state.errorOf >= 0);
     this.buttons.show(this.state.follow);
     this.transport.show(this.playback);
     this.timeline.show(time, scan);

@@ -2,8 +2,9 @@
 import uPlot from 'uplot';
 import {element} from './dom.js';
 import {kDashes, pick} from './palette.js';
-import {align, clip, logRange, powersOfTen, rangeFromZero} from './plot_columns.js';
-import {drawBand, drawIntervals, drawLimit} from './plot_marks.js';
+import {seriesStyles, valueText} from './plot_spec.js';
+import {align, clip, logRange, powersOfTen, rangeFromZero, tickTexts} from './plot_columns.js';
+import {drawBand, drawIntervals, drawLimit, drawSized} from './plot_marks.js';
 
 const kFont = '12px system-ui, sans-serif';
 const kLegendLines = ['solid', 'dashed', 'dotted', 'double', 'dashed', 'dotted'];
@@ -13,17 +14,12 @@ const kLogTicks = {
   values: (_, ticks) => ticks.map(String),
 };
 
-/** Three decimals of small numbers, two of large ones, none of whole ones. */
-export function valueText(value) {
-  if (value === null || value === undefined) return '–';
-  return Number.isInteger(value) ? String(value) : value.toFixed(value < 1 ? 3 : 2);
-}
 
 function axisOf(axis, colors, size) {
   const line = {stroke: () => colors().line, width: 1};
   const label = axis.label ? {label: axis.label, labelSize: 16, labelFont: kFont} : {};
   return {stroke: () => colors().soft, font: kFont, grid: line, ticks: {...line, size: 4}, size, ...label,
-    ...(axis.log ? kLogTicks : {}), ...(axis.names ? namesOf(axis.names) : {})};
+    values: (_, ticks) => tickTexts(ticks), ...(axis.log ? kLogTicks : {}), ...(axis.names ? namesOf(axis.names) : {})};
 }
 
 /** Names at 0, 1, 2 instead of numbers. */
@@ -37,19 +33,21 @@ function scaleOf(axis, columns, range) {
   return {time: false, ...(axis.range ? {range: axis.range} : range)};
 }
 
-/** Series `k` of a plot; `style`: as in plot_spec.js. */
-function seriesOf({name, style}, k, colors) {
-  const color = () => pick(colors().localizers, k);
-  const line = {label: name, scale: 'y', width: 1.8, stroke: color, dash: pick(kDashes, k), spanGaps: false,
+/** A series of a plot; `style`: as in plot_spec.js; `index`: into the palette. */
+function seriesOf({name, style, dash}, index, colors) {
+  const color = () => (index < 0 ? colors().soft : pick(colors().localizers, index));
+  const line = {label: name, scale: 'y', width: 1.8, stroke: color, dash: pick(kDashes, Math.max(dash ?? index, 0)), spanGaps: false,
     points: {show: false}, value: (_, value) => valueText(value)};
   switch (style) {
     case 'dots':
       return {...line, paths: () => null,
-        points: {show: true, size: 4, width: 0, space: 0, fill: () => `${color()}73`, stroke: color}};
+        points: {show: true, size: 5, width: 0, space: 0, fill: () => `${color()}73`, stroke: color}};
     case 'points':
       return {...line, paths: () => null, points: {show: true, size: 9, width: 0, space: 0, fill: color, stroke: color}};
     case 'marked':
-      return {...line, points: {show: true, size: 7, width: 1, fill: color, stroke: color}};
+      return {...line, points: {show: true, size: 8, width: 1, space: 0, fill: color, stroke: color}};
+    case 'sized':
+      return {...line, width: 1};
     case 'steps':
       return {...line, paths: uPlot.paths.stepped({align: 1}), fill: () => `${color()}26`};
     case 'reference':
@@ -60,15 +58,15 @@ function seriesOf({name, style}, k, colors) {
 }
 
 /** Swatches of the legend in the page's colours, also after the theme has changed. */
-function markersOf(spec, first) {
-  const own = (i) => spec.series[i - 1].style !== 'reference';
-  return {width: 3, dash: (_, i) => (own(i) ? pick(kLegendLines, i - 1 - first) : 'dotted'),
-    stroke: (_, i) => (own(i) ? `var(--c${(i - 1 - first) % 6})` : 'var(--soft)')};
+function markersOf(spec, styles) {
+  const dashOf = (i) => spec.series[i - 1].dash ?? styles[i - 1];
+  return {width: 3, dash: (_, i) => (dashOf(i) < 0 ? 'dotted' : pick(kLegendLines, dashOf(i))),
+    stroke: (_, i) => (styles[i - 1] < 0 ? 'var(--soft)' : `var(--c${styles[i - 1] % 6})`)};
 }
 
-/** Options of uPlot. References stand before the localizers, and take none of their colours. */
+/** Options of uPlot. */
 function optionsOf(spec, size, colors, more) {
-  const first = spec.series.filter(({style}) => style === 'reference').length;
+  const styles = seriesStyles(spec);
   return {
     ...size,
     scales: {
@@ -79,13 +77,15 @@ function optionsOf(spec, size, colors, more) {
     axes: [axisOf(spec.x, colors, 30), axisOf(spec.y, colors, spec.y.label ? 46 : 58)],
     series: [
       {label: spec.x.label, value: (_, value) => valueText(value)},
-      ...spec.series.map((series, k) => seriesOf(series, k - first, colors)),
+      ...spec.series.map((series, k) => seriesOf(series, styles[k], colors)),
     ],
     cursor: {drag: {x: true, y: false}, points: {size: 7}, ...more.cursor},
-    legend: {markers: markersOf(spec, first)},
+    legend: {markers: markersOf(spec, styles)},
     hooks: {draw: [(plot) => {
       spec.series.forEach((series, k) => {
-        (series.style === 'band' ? drawBand : drawIntervals)(plot, series, pick(colors().localizers, k - first));
+        const color = styles[k] < 0 ? colors().soft : pick(colors().localizers, styles[k]);
+        (series.style === 'band' ? drawBand : drawIntervals)(plot, series, color);
+        if (series.style === 'sized') drawSized(plot, series, color);
       });
       if (spec.limit) drawLimit(plot, spec.limit, colors());
       more.draw?.(plot);

@@ -44,6 +44,15 @@ export function logRange(columns, [low, high]) {
   return [Math.min(floor, 0.1), Math.min(high, Math.max(1, 10 ** Math.ceil(Math.log10(most))))];
 }
 
+/** Ticks of equal distance as texts, with as many decimals as their distance asks for. */
+export function tickTexts(ticks) {
+  const step = ticks.length > 1 ? Math.abs(ticks[1] - ticks[0]) : Math.abs(ticks[0] ?? 1) || 1;
+  const told = (decimals) => Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) < 1e-6;
+  let decimals = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
+  while (decimals < 12 && !told(decimals)) ++decimals;
+  return ticks.map((tick) => (tick === null ? '' : tick.toFixed(Math.min(decimals, 20))));
+}
+
 /** Powers of ten from `low` to `high`. */
 export function powersOfTen(low, high) {
   const ticks = [];

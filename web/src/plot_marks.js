@@ -18,11 +18,11 @@ export function drawMarks({ctx, bbox, valToPos}, marks, colors) {
   ctx.restore();
 }
 
-/** A strip a localizer along the bottom while it says that it is lost. */
-export function drawAlarms({ctx, bbox, valToPos}, alarms, colors) {
+/** A strip a localizer along the bottom while it says that it is lost; `styles`: into the palette. */
+export function drawAlarms({ctx, bbox, valToPos}, alarms, colors, styles) {
   const high = 4 * devicePixelRatio;
   alarms.forEach((stretches, k) => {
-    ctx.fillStyle = pick(colors.localizers, k);
+    ctx.fillStyle = pick(colors.localizers, styles[k]);
     for (const {from, to} of stretches) {
       const left = Math.max(bbox.left, valToPos(from, 'x', true));
       const right = Math.min(bbox.left + bbox.width, valToPos(to, 'x', true));
@@ -59,10 +59,36 @@ export function drawBand({ctx, valToPos}, {x, low, high}, color) {
   ctx.restore();
 }
 
+const kLeastRadius = 4;  // [px]
+const kMostRadius = 10;
+
+/** Radii of dots whose areas grow with `weights`. [px] */
+export function radiiOf(weights) {
+  const most = Math.max(...weights, 1e-9);
+  return weights.map((weight) => kLeastRadius + (kMostRadius - kLeastRadius) * Math.sqrt(Math.max(weight, 0) / most));
+}
+
+/** The dots of a series with the style `sized`, as large as their `weight`. */
+export function drawSized({ctx, valToPos}, {x, y, weight}, color) {
+  ctx.save();
+  ctx.setLineDash([]);
+  ctx.fillStyle = `${color}b3`;
+  ctx.strokeStyle = color;
+  ctx.lineWidth = 1.5 * devicePixelRatio;
+  radiiOf(weight).forEach((radius, i) => {
+    ctx.beginPath();
+    ctx.arc(valToPos(x[i], 'x', true), valToPos(y[i], 'y', true), radius * devicePixelRatio, 0, 2 * Math.PI);
+    ctx.fill();
+    ctx.stroke();
+  });
+  ctx.restore();
+}
+
 /** The interval of each point of a series that has some, `low` to `high`, upright. */
 export function drawIntervals({ctx, valToPos}, {x, low, high}, color) {
   if (!low) return;
   ctx.save();
+  ctx.setLineDash([]);
   ctx.strokeStyle = color;
   ctx.lineWidth = 1.5 * devicePixelRatio;
   ctx.beginPath();

@@ -30,9 +30,9 @@ export function poseAt(track, times, i, time) {
 
 /**
  * Pieces of the way from scan `from` to scan `to`, without its jumps: [[x, y, x, y...]...]. `keep(z)`: of the parts that
- * are wanted. `heights` gets the heights of the same points, if it is given: [[z, z...]...].
+ * are wanted. `heights` gets the heights of the same points, `scans` their scans, if they are given: [[z, z...]...].
  */
-export function pieces(track, from, to, keep = () => true, heights = null) {
+export function pieces(track, from, to, keep = () => true, heights = null, scans = null) {
   const found = [];
   let last = null;
   for (let i = from; i <= to; ++i) {
@@ -45,10 +45,12 @@ export function pieces(track, from, to, keep = () => true, heights = null) {
     if (!joined) {
       found.push([]);
       heights?.push([]);
+      scans?.push([]);
     }
     last = [track.x[i], track.y[i], z];
     found.at(-1).push(last[0], last[1]);
     heights?.at(-1).push(z);
+    scans?.at(-1).push(i);
   }
   return found;
 }

@@ -1,4 +1,4 @@
-// Tables that are sorted by their heads, filtered, and saved as CSV. Long ones show their first rows on screens until
+// Tables that are sorted by their heads, filtered, reduced to rows with a failure (class "bad"), and saved as CSV. Long ones show their first rows on screens until
 // all are asked for; printed, they show all.
 import {element} from './dom.js';
 import {save} from './saving.js';
@@ -20,6 +20,8 @@ class DataTable {
     this.names = this.heads.map((th) => th.textContent.trim());
     this.rows = [...table.tBodies[0].rows].map((row) => ({row, cells: [...row.cells].map(cellOf)}));
     this.filter = '';
+    this.failures = this.rows.filter(({row}) => row.querySelector('.bad')).length;
+    this.failuresOnly = false;
     this.whole = this.rows.length <= kFirst;
     this.count = element('span', {class: 'soft'});
     this.more = element('button', {type: 'button', click: () => {
@@ -32,7 +34,8 @@ class DataTable {
   }
 
   matching() {
-    return this.rows.filter(({cells}) => matches(cells.map(({text}) => text), this.filter));
+    return this.rows.filter(({row, cells}) => matches(cells.map(({text}) => text), this.filter)
+      && (!this.failuresOnly || row.querySelector('.bad')));
   }
 
   show() {
@@ -51,9 +54,14 @@ class DataTable {
       this.filter = filter.value;
       this.show();
     }});
+    const only = element('input', {type: 'checkbox', change: () => {
+      this.failuresOnly = only.checked;
+      this.show();
+    }});
+    const failures = this.failures ? element('label', {}, only, ` failures only (${this.failures})`) : null;
     const download = element('button', {type: 'button', click: () => this.save()}, 'CSV');
     const box = this.table.closest('.wide');
-    box.before(element('p', {class: 'table-tools'}, filter, this.orders(), download, this.count));
+    box.before(element('p', {class: 'table-tools'}, filter, failures, this.orders(), download, this.count));
     box.after(element('p', {class: 'table-tools'}, this.more));
   }
 

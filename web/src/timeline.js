@@ -1,7 +1,7 @@
 // The slider of time with its marks, and a lane a localizer that says when it was right.
 import {clockText, element} from './dom.js';
 import {kFalseAlarm, kRight, kSaysLost, kStateWords, kUnknown, kWrong, stretches} from './measures.js';
-import {pick} from './palette.js';
+import {pick, styleOf} from './palette.js';
 import {spread} from './marks.js';
 
 const kLane = 10;  // [px] Height of a bar...
@@ -24,7 +24,8 @@ export class Timeline {
     const names = run.recording.names.join(', ');
     this.lanes = element('canvas', {class: 'lanes', role: 'img',
       'aria-label': `When each localizer was right: ${names}`, click: (event) => this.click(event)});
-    place.append(this.markRow, this.slider, this.lanes);
+    this.laneMarks = element('div', {class: 'lane-marks', role: 'group', 'aria-label': 'Recoveries'});
+    place.append(this.markRow, this.slider, element('div', {class: 'lane-box'}, this.lanes, this.laneMarks));
     this.lanes.style.height = `${run.states.length * kRow}px`;
     new ResizeObserver(() => this.layOut()).observe(place);
   }
@@ -56,18 +57,33 @@ export class Timeline {
   layOut() {
     const width = this.slider.clientWidth;
     if (!width) return;
-    this.placeMarks(spread(this.marks, this.begin, this.end, width, kApart), width);
+    const apart = (marks) => spread(marks, this.begin, this.end, width, kApart);
+    const {names} = this.run.recording;
+    const inLane = names.map((name) => this.marks.filter((mark) => mark.sort === 'recovery' && mark.localizer === name));
+    this.placeMarks(apart(this.marks.filter((mark) => !inLane.flat().includes(mark))), inLane.map(apart), width);
     this.draw();
   }
 
-  /** The button of a mark stays as long as the mark does: it may have the focus, or be pressed just now. */
-  placeMarks(marks, width) {
+  /**
+   * The button of a mark stays as long as the mark does: it may have the focus, or be pressed just now. `inLanes`: the
+   * recoveries of each localizer, which stand above its bar.
+   */
+  placeMarks(marks, inLanes, width) {
     const before = this.buttons;
-    this.buttons = new Map(marks.map((mark) => [mark.label, before.get(mark.label) ?? this.buttonOf(mark)]));
+    const all = [...marks, ...inLanes.flat()];
+    this.buttons = new Map(all.map((mark) => [mark.label, before.get(mark.label) ?? this.buttonOf(mark)]));
     for (const [label, button] of before) if (!this.buttons.has(label)) button.remove();
+    this.fill(this.markRow, marks, width);
+    this.fill(this.laneMarks, inLanes.flat(), width);
+    inLanes.forEach((lane, k) => lane.forEach(({label}) => {
+      this.buttons.get(label).style.top = `${k * kRow}px`;
+    }));
+  }
+
+  fill(row, marks, width) {
     marks.forEach(({time, label}, i) => {
       const button = this.buttons.get(label);
-      if (this.markRow.children[i] !== button) this.markRow.insertBefore(button, this.markRow.children[i] ?? null);
+      if (row.children[i] !== button) row.insertBefore(button, row.children[i] ?? null);
       button.style.left = `${this.x(time, width)}px`;
     });
   }
@@ -98,7 +114,7 @@ export class Timeline {
       const left = this.x(from, width);
       const wide = Math.max(1, this.x(to, width) - left);
       if (state === kUnknown) continue;
-      context.fillStyle = state === kWrong ? colors.bad : pick(colors.localizers, k);
+      context.fillStyle = state === kWrong ? colors.bad : pick(colors.localizers, styleOf(this.run.recording.names, k));
       if (state === kRight) context.fillRect(left, middle - 2, wide, 4);
       if (state === kWrong) context.fillRect(left, middle - kLane / 2, wide, kLane);
       if (state === kSaysLost || state === kFalseAlarm) this.hatch(context, left, middle, wide);

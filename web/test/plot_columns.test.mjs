@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {align, clip, logRange, powersOfTen, rangeFromZero} from '../src/plot_columns.js';
+import {align, clip, logRange, powersOfTen, rangeFromZero, tickTexts} from '../src/plot_columns.js';
 
 test('series that share their x are taken as they are', () => {
   assert.deepEqual(align([{y: [1, null]}, {y: [3, 4]}], [0, 1]), [[0, 1], [1, null], [3, 4]]);
@@ -41,4 +41,11 @@ test('an axis without limits goes from zero to above its values', () => {
   assert.deepEqual(rangeFromZero([[1, null, 20], [undefined, 2]], 4), [0, 21]);
   assert.deepEqual(rangeFromZero([[1, null]], 4), [0, 4]);
   assert.deepEqual(rangeFromZero([[]], 0), [0, 1]);
+});
+
+test('ticks differ however near they are', () => {
+  assert.deepEqual(tickTexts([0, 0.0001, 0.0002]), ['0.0000', '0.0001', '0.0002']);
+  assert.deepEqual(tickTexts([0, 0.25, 0.5]), ['0.00', '0.25', '0.50']);
+  assert.deepEqual(tickTexts([0, 20, 40, null]), ['0', '20', '40', '']);
+  assert.deepEqual(tickTexts([-0.1, 0, 0.1]), ['-0.1', '0.0', '0.1']);
 });

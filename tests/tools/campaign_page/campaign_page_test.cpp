@@ -17,8 +17,9 @@ std::string page_of(CampaignOfRows& campaign) {
 TEST(CampaignPage, HasEverySection) {
   const auto campaign = campaign_of_kidnaps();
   const std::string html = page_of(*campaign);
-  for (const char* heading : {"Figures over the keys", "Localizers in the same cells",
-                              "Time to recovery", "Where kidnaps fail", "Worst kidnaps", "Costs"}) {
+  for (const char* heading :
+       {"Specification", "Figures over the keys", "Localizers in the same cells",
+        "Time to recovery", "Where kidnaps fail", "Worst kidnaps", "Costs"}) {
     EXPECT_TRUE(contains(html, "<h2>" + std::string(heading) + "</h2>"));
   }
   EXPECT_FALSE(contains(html, "src=\""));

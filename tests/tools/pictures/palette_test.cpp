@@ -20,15 +20,26 @@ Eigen::Vector3d lab(std::uint32_t rgb) {
   return {116.0 * xyz.y() - 16.0, 500.0 * (xyz.x() - xyz.y()), 200.0 * (xyz.y() - xyz.z())};
 }
 
-TEST(Palette, TellsLocalizersPopulationsAndPeopleApart) {
+TEST(Palette, TellsLocalizersAndPeopleApart) {
   std::vector<std::uint32_t> colors(kLocalizerColors.begin(), kLocalizerColors.end());
-  colors.insert(colors.end(), kPopulationColors.begin(), kPopulationColors.end());
   colors.push_back(kPeopleColor);
   for (std::size_t i = 0; i < colors.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       EXPECT_GT((lab(colors[i]) - lab(colors[k])).norm(), 25.0)
           << css_color(colors[i]) << " and " << css_color(colors[k]);
     }
+  }
+}
+
+TEST(Palette, GivesAPopulationAShadeOfItsLocalizer) {
+  for (const std::uint32_t color : kLocalizerColors) {
+    const Eigen::Vector3f own = scene_color(color);
+    EXPECT_EQ(population_color(color, 0), own);
+    EXPECT_EQ(population_color(color, 3), own);
+    EXPECT_LT(population_color(color, 1).sum(), own.sum());
+    EXPECT_GT(population_color(color, 2).sum(), own.sum());
+    EXPECT_EQ(population_color(color, -1), population_color(color, 2));
+    EXPECT_LE(population_color(color, 2).maxCoeff(), 1.0F);
   }
 }
 

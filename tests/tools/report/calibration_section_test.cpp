@@ -39,7 +39,8 @@ TEST(CalibrationHtml, DescribesADiagramAndTheSharesOfTheBins) {
             R"({"name":"stated = right","style":"reference","x":[0,1],"y":[0,1]})");
   const auto& observed = plots[0].at("series")[1];
   EXPECT_EQ(observed.at("name"), "<a>");
-  EXPECT_EQ(observed.at("style"), "marked");
+  EXPECT_EQ(observed.at("style"), "sized");
+  EXPECT_EQ(observed.at("weight").dump(), "[1,3]");
   EXPECT_EQ(observed.at("x").dump(), "[0.25,0.75]");
   EXPECT_NEAR(observed.at("y")[1], 1.0 / 3.0, 1e-6);
   EXPECT_LT(observed.at("low")[1], observed.at("y")[1]);

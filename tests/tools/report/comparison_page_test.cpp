@@ -39,10 +39,30 @@ TEST(ComparisonPage, ShowsTableAndDifferences) {
 // With the dashes of a localizer's colour, intervals and their centres would lose their dots.
 TEST(ComparisonPage, DrawsIntervalsWithoutDashes) {
   const std::string html = render_comparison({made_up()});
-  EXPECT_TRUE(contains(html, "<line class=\"bar c2\""));
-  EXPECT_TRUE(contains(html, "<circle class=\"bar c1\""));
+  EXPECT_TRUE(contains(html, "<line class=\"bar better\""));
+  EXPECT_TRUE(contains(html, "<circle class=\"bar worse\""));
   EXPECT_TRUE(contains(html, ".bar { stroke-dasharray: none; }"));
   EXPECT_FALSE(contains(html, "<circle class=\"limit\""));
+}
+
+// Green and red stand for verdicts, not for localizers; these have a square before their figures.
+TEST(ComparisonPage, MarksTheFiguresOfALocalizerInItsColour) {
+  Comparison comparison = made_up();
+  for (const char* name :
+       {"amcl.availability", "amcl.recovery.success", "amclx.recovery.success"}) {
+    comparison.metrics.push_back(comparison.metrics.front());
+    comparison.metrics.back().metric = name;
+  }
+  const std::string html = render_comparison({comparison});
+  // Two of the three have it: a square, then the name.
+  const std::string square = "<rect style=\"fill:var(--c1)\"";
+  std::size_t squares = 0;
+  for (std::size_t at = html.find(square); at != std::string::npos;
+       at = html.find(square, at + 1)) {
+    ++squares;
+    EXPECT_TRUE(contains(html.substr(at, 200), ">amcl."));
+  }
+  EXPECT_EQ(squares, 2U);
 }
 
 // On a phone, each row is a block in which every cell follows its column's name.

@@ -40,8 +40,9 @@ TEST(ExperimentPage, DescribesTheCurvesOfTheExample) {
   EXPECT_TRUE(contains(html, "seed 2."));
   const auto plots = plots_in(html);
   ASSERT_EQ(plots.size(), 4U);
-  EXPECT_EQ(plots[0].dump(), R"({"title":"Position error","unit":"m","y":{"log":[0.001,100]},)"
-                             R"("series":[{"name":"a","y":[0.1,4.1]}],"times":[1,2]})");
+  EXPECT_EQ(plots[0].dump(),
+            R"({"title":"Position error","unit":"m","y":{"log":[0.001,100]},)"
+            R"("series":[{"name":"a","y":[0.1,4.1]}],"localizers":true,"times":[1,2]})");
   EXPECT_EQ(plots[1].at("series")[0].at("y").dump(), "[0.9,0.3]");
   EXPECT_EQ(plots[2].at("series")[0].at("y").dump(), "[0.01,0.01]");
   EXPECT_EQ(plots[3].at("series")[0].at("y").dump(), "[1,3]");
@@ -58,7 +59,8 @@ TEST(ExperimentPage, OfRecoveriesShowsWhatTellsRightFromWrong) {
   EXPECT_EQ(plots[6].at("y").at("label"), "right outputs passed, share");
   // Every right output has a higher quality than every wrong one: the curve goes up first, then
   // right.
-  EXPECT_EQ(plots[6].at("series")[0].dump(), R"({"name":"quality","x":[0,0,1],"y":[0,1,1]})");
+  EXPECT_EQ(plots[6].at("series")[0].dump(),
+            R"({"name":"quality","x":[0,0,1],"y":[0,1,1],"color":2,"dash":0})");
 }
 
 }  // namespace

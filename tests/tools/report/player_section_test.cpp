@@ -33,6 +33,7 @@ TEST(PlayerSection, CarriesTheRecordingAndTheEvents) {
   const std::string scripts = player_data(run);
   EXPECT_TRUE(contains(scripts, "id=\"castaway-recording\">YWJj</script>"));
   EXPECT_TRUE(contains(scripts, "\"right_m\":0.5"));
+  EXPECT_TRUE(contains(scripts, "\"open_s\":1.5"));
   EXPECT_TRUE(contains(scripts, "\"from\":[1.0,2.0],\"to\":[3.0,4.0]"));
 }
 

@@ -112,7 +112,7 @@ TEST(Report, NeedsNothingButItself) {
       ++embedded;
     }
   }
-  EXPECT_EQ(embedded, 2U);  // the map and a picture
+  EXPECT_EQ(embedded, 3U);  // a map for each localizer and a picture
 }
 
 TEST(Report, DescribesTheCurvesOfARunWithoutARecording) {
@@ -125,7 +125,7 @@ TEST(Report, DescribesTheCurvesOfARunWithoutARecording) {
             R"({"title":"Position error","unit":"m","y":{"log":[0.001,100]},"series":[)"
             R"({"name":"a","y":[0.2,0.2,0.2,0.2,0.2,0.2]},)"
             R"({"name":"<b>x</b>","y":[0.2,null,0.2,0.2,0.2,0.2]}],)"
-            R"("limit":0.5,"marks":[4.5],"times":[0,1,2,3,4,5]})");
+            R"("limit":0.5,"marks":[4.5],"localizers":true,"times":[0,1,2,3,4,5]})");
   EXPECT_EQ(plots[1].at("title"), "Yaw error");
   EXPECT_EQ(plots[1].at("series")[0].at("y")[0], 5.73);  // 0.1 rad
   EXPECT_EQ(plots[2].at("series")[1].at("y")[1], nullptr);
@@ -218,6 +218,8 @@ TEST(Report, DoesWithoutTruth) {
   expect_sound(html);
   EXPECT_TRUE(contains(html, "The log holds no true poses, so that nothing is scored."));
   EXPECT_TRUE(contains(html, row("scans answered", "100 %", "100 %")));
+  EXPECT_TRUE(contains(html, "<h2>Paths on the map</h2>"));
+  EXPECT_EQ(count(html, "<path class=\"path light"), 2U);
   for (const char* scored : {"recovered", "tracking", "kidnaps not noticed", "Brier"}) {
     EXPECT_EQ(html.find(scored), std::string::npos) << scored;
   }
@@ -271,17 +273,81 @@ TEST(Report, DrawsPathsOnTheFloorOnWhichTheyAre) {
   info.heights = true;
   const std::string html = report_of(all, info, 1.0, reported_map(), 20.0, "",
                                      {{0.0, reported_map()}, {3.0, reported_map()}});
-  EXPECT_EQ(count(html, "<figcaption>level 0: 0.00 m</figcaption>"), 1U);
-  EXPECT_EQ(count(html, "<figcaption>level 1: 3.00 m</figcaption>"), 1U);
-  std::vector<std::string> paths;  // Of truth with its rim, and two localizers, on each floor.
-  for (const std::string& d : values_of("d", html)) {
-    if (d.starts_with("M") && d.find('h') == std::string::npos) paths.push_back(d);
+  EXPECT_EQ(count(html, "a, level 0: 0.00 m</figcaption>"), 1U);
+  EXPECT_EQ(count(html, "&lt;b&gt;x&lt;/b&gt;, level 1: 3.00 m</figcaption>"), 1U);
+  const auto paths_of = [&](const std::string& style) {
+    std::vector<std::string> paths;
+    const std::string start = "<path class=\"" + style;
+    for (std::size_t at = html.find(start); at != std::string::npos;
+         at = html.find(start, at + 1)) {
+      const std::size_t begin = html.find(" d=\"", at) + 4;
+      paths.push_back(html.substr(begin, html.find('"', begin) - begin));
+    }
+    return paths;
+  };
+  const std::vector<std::string> rims = paths_of("path rim");  // Of each localizer and floor.
+  const std::vector<std::string> estimates = paths_of("path light");
+  ASSERT_EQ(rims.size(), 4U);
+  EXPECT_EQ(count(rims[0], "L"), 1U);  // The truth: two scans on each floor.
+  EXPECT_EQ(count(rims[2], "L"), 1U);
+  ASSERT_EQ(estimates.size(), 4U);
+  EXPECT_EQ(count(estimates[0], "L"),
+            0U);  // An estimate: one on the lower, three on the upper one.
+  EXPECT_EQ(count(estimates[2], "L"), 2U);
+}
+
+/// Twelve scans, in the first six of which the error of "a" is 0.2 m, then 0.7 m.
+TEST(Report, ColoursTheTruePathByTheError) {
+  std::vector<ScanRecord> all;
+  for (int t = 0; t < 12; ++t) {
+    ScanRecord& record = all.emplace_back(record_at(t, kReported));
+    if (t >= 6) record.localizers[0].estimate->T_map_base.y = 0.7;
+    if (t == 11) record.localizers[0].estimate.reset();
   }
-  ASSERT_EQ(paths.size(), 8U);
-  EXPECT_EQ(count(paths[1], "L"), 1U);  // The truth: two scans on each floor.
-  EXPECT_EQ(count(paths[5], "L"), 1U);
-  EXPECT_EQ(count(paths[2], "L"), 0U);  // An estimate: one on the lower, three on the upper one.
-  EXPECT_EQ(count(paths[6], "L"), 2U);
+  const std::string html = report_of(all);
+  const std::size_t first = html.find("<path class=\"path e2\"");
+  ASSERT_NE(first, std::string::npos);
+  // Cells of 1 m, 0.1 m a scan: to 0.5 m in one colour, to 1 m in the next, then without an answer.
+  EXPECT_TRUE(
+      contains(html.substr(first, 200), "d=\"M0.0 2.0L0.1 2.0L0.2 2.0L0.3 2.0L0.4 2.0L0.5 2.0\""));
+  EXPECT_TRUE(contains(html, "<path class=\"path e3\""));
+  const std::size_t wrong = html.find("<path class=\"path e3\"");
+  EXPECT_TRUE(
+      contains(html.substr(wrong, 200), "d=\"M0.5 2.0L0.6 2.0L0.7 2.0L0.8 2.0L0.9 2.0L1.0 2.0\""));
+  const std::size_t silent = html.find("<path class=\"path unscored\"");
+  EXPECT_TRUE(contains(html.substr(silent, 200), "d=\"M1.0 2.0L1.1 2.0\""));
+  EXPECT_TRUE(contains(html, "Position error [m]:"));
+}
+
+TEST(Report, MarksKidnapsAndRecoveriesOnTheMap) {
+  std::vector<ScanRecord> all = records(20);
+  for (ScanRecord& record : all) {
+    if (record.stamp >= std::chrono::seconds(5)) record.localizers[1].estimate.reset();
+  }
+  const std::string html = report_of(all);
+  EXPECT_EQ(count(html, "class=\"sign kidnapped\""), 2U);  // On the map of each localizer.
+  EXPECT_TRUE(contains(html, "1▼<title>kidnap 1 at 4.5 s</title>"));
+  EXPECT_EQ(count(html, "class=\"sign regained\""), 1U);  // "a" alone is right again.
+  EXPECT_TRUE(contains(html, "✓<title>right again at 5.1 s</title>"));
+}
+
+TEST(Report, ListsTheKidnapsWithTheirOutcomes) {
+  std::vector<ScanRecord> all = records(20);
+  for (ScanRecord& record : all) {
+    if (record.stamp >= std::chrono::seconds(5)) record.localizers[1].estimate.reset();
+  }
+  const std::string html = report_of(all);
+  EXPECT_TRUE(
+      contains(html, "<span>4.00 m</span></td><td data-head=\"a\"><span>0.600 s</span></td>"));
+  EXPECT_TRUE(contains(html, "<span class=\"bad\">not recovered</span>, lost for 15.5 s"));
+}
+
+TEST(Report, SaysWhenAndWhereItWasMadeAmongItsTimesAlone) {
+  const std::string html = report_of(records(20));
+  EXPECT_TRUE(contains(html, "<p id=\"castaway-made\">made on 20"));
+  EXPECT_TRUE(contains(html, "<span id=\"castaway-made-place\"></span>"));
+  EXPECT_TRUE(contains(html, "castaway " CASTAWAY_VERSION));
+  EXPECT_EQ(without_timing(html).find("castaway-made\""), std::string::npos);
 }
 
 TEST(Report, NamesTheFileThatIsBroken) {

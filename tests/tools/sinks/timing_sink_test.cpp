@@ -43,6 +43,8 @@ TEST(TimingSink, SumsUpWhatTheClockMeasured) {
   EXPECT_NEAR(stage.at("max"), 0.5, 1e-12);
   EXPECT_TRUE(timing.at("/localizers/silent/stages_ms"_json_pointer).empty());
   EXPECT_GT(timing.at("/memory_mb/peak"_json_pointer).get<double>(), 1.0);
+  EXPECT_TRUE(timing.at("/made/date"_json_pointer).get<std::string>().ends_with(" UTC"));
+  EXPECT_TRUE(contains(timing.at("/made/machine"_json_pointer).get<std::string>(), " core"));
   const std::string csv = read_file(folder.path() / "timing.csv");
   EXPECT_TRUE(contains(csv,
                        "stamp_s,localizer,stage,cpu_ms\n14.000000,a,update,4.000000\n"

@@ -97,7 +97,7 @@ class FigureGatherer {
 };
 
 std::vector<CampaignSeries> series_of(const FinishedCampaign& campaign) {
-  SeriesFinder finder(campaign.localizers);
+  SeriesFinder finder(campaign.localizers, ValueLabels(campaign.spec));
   for (const int cell : campaign.rows.cells()) finder.add(campaign.rows.row(cell));
   return finder.series();
 }
@@ -115,7 +115,7 @@ CampaignFigures::CampaignFigures(std::vector<CampaignSeries> of_localizers,
 
 std::vector<std::string> CampaignFigures::labels() const {
   std::vector<std::string> labels;
-  for (const CampaignSeries& each : series) labels.push_back(each.label());
+  for (const CampaignSeries& each : series) labels.push_back(each.label);
   labels.emplace_back("run");
   return labels;
 }

@@ -2,19 +2,9 @@
 
 #include <algorithm>
 
+#include "tools/pictures/localizer_styles.hpp"
+
 namespace castaway::testbed {
-namespace {
-
-/// YAML of several lines is indented, and the list's dash says nothing.
-std::string without_runs_of_spaces(const std::string& text) {
-  std::string squeezed;
-  for (const char c : text) {
-    if (c != ' ' || (!squeezed.empty() && squeezed.back() != ' ')) squeezed += c;
-  }
-  return squeezed.starts_with("- ") ? squeezed.substr(2) : squeezed;
-}
-
-}  // namespace
 
 const std::string* value_of(const CellRow& row, const std::string& key) {
   const auto found = std::find_if(row.values.begin(), row.values.end(),
@@ -28,10 +18,6 @@ bool has_localizer(const CellRow& row, const std::string& localizer) {
   if (first != row.metrics.end() && first->first.starts_with(prefix)) return true;
   return std::any_of(row.kidnaps.begin(), row.kidnaps.end(),
                      [&](const CellKidnap& kidnap) { return kidnap.localizer == localizer; });
-}
-
-std::string CampaignSeries::label() const {
-  return setting.empty() ? localizer : localizer + " (" + without_runs_of_spaces(setting) + ")";
 }
 
 bool CampaignSeries::in(const CellRow& row) const {
@@ -50,12 +36,24 @@ void SeriesFinder::add(const CellRow& row) {
   }
 }
 
+std::vector<int> series_styles(const std::vector<CampaignSeries>& series) {
+  std::vector<std::string> names;
+  for (const CampaignSeries& each : series) names.push_back(each.localizer);
+  const std::vector<std::size_t> styles = localizer_styles(names);
+  std::vector<int> all(styles.begin(), styles.end());
+  all.push_back(-1);
+  return all;
+}
+
 std::vector<CampaignSeries> SeriesFinder::series() const {
   std::vector<CampaignSeries> all;
   for (std::size_t i = 0; i < localizers_.size(); ++i) {
-    if (settings_[i].size() == 1) all.push_back({localizers_[i], ""});
+    const std::string& name = localizers_[i];
+    if (settings_[i].size() == 1) all.push_back({name, "", name});
     if (settings_[i].size() < 2) continue;
-    for (const std::string& setting : settings_[i]) all.push_back({localizers_[i], setting});
+    for (const std::string& setting : settings_[i]) {
+      all.push_back({name, setting, labels_.localizer(name, setting)});
+    }
   }
   return all;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tools/campaign_page/figures/value_labels.hpp"
 #include "tools/cells/rows/cell_row.hpp"
 
 namespace castaway::testbed {
@@ -23,23 +24,29 @@ bool has_localizer(const CellRow& row, const std::string& localizer);
 struct CampaignSeries {
   std::string localizer;
   std::string setting;  ///< The value of `localizers` that it stands for; empty: all of them.
+  std::string label{};  ///< In few words: "amcl (preset amcl-recovery)".
 
-  [[nodiscard]] std::string label() const;
   [[nodiscard]] bool in(const CellRow& row) const;
 };
+
+/// Index into the palette of each series, and -1 for the figures of the run, which are the last.
+std::vector<int> series_styles(const std::vector<CampaignSeries>& series);
 
 /// Collects the series of a campaign from its rows.
 class SeriesFinder {
  public:
   /// `localizers`: of all cells.
-  explicit SeriesFinder(std::vector<std::string> localizers)
-      : localizers_(std::move(localizers)), settings_(localizers_.size()) {}
+  explicit SeriesFinder(std::vector<std::string> localizers, ValueLabels labels = {})
+      : localizers_(std::move(localizers)),
+        labels_(std::move(labels)),
+        settings_(localizers_.size()) {}
   void add(const CellRow& row);
   /// In the order of the localizers, then of the cells.
   [[nodiscard]] std::vector<CampaignSeries> series() const;
 
  private:
   std::vector<std::string> localizers_;
+  ValueLabels labels_;
   std::vector<std::vector<std::string>> settings_;  // Values of `localizers` with each localizer.
 };
 

@@ -62,13 +62,14 @@ std::vector<std::string> drawn_values(const CampaignSpec& spec, RowIndex& rows,
 
 }  // namespace
 
-KeyAxis::KeyAxis(std::string key, const std::vector<std::string>& values, bool drawn)
+KeyAxis::KeyAxis(std::string key, const std::vector<std::string>& values, bool drawn,
+                 const ValueLabels& labels)
     : key_(std::move(key)) {
   std::vector<std::string> distinct = distinct_values(values);
   auto numbers = numbers_of(values);
   numeric_ = numbers && !numbers->empty();
   if (!numeric_) {
-    add_values(distinct);
+    add_values(distinct, labels);
     return;
   }
   if (drawn && distinct.size() > kMostValues) {
@@ -78,14 +79,14 @@ KeyAxis::KeyAxis(std::string key, const std::vector<std::string>& values, bool d
   }
   std::stable_sort(distinct.begin(), distinct.end(),
                    [](const auto& a, const auto& b) { return *number_of(a) < *number_of(b); });
-  add_values(distinct);
+  add_values(distinct, labels);
 }
 
-void KeyAxis::add_values(const std::vector<std::string>& distinct) {
+void KeyAxis::add_values(const std::vector<std::string>& distinct, const ValueLabels& labels) {
   for (const std::string& value : distinct) {
     by_value_[value] = places_.size();
     const auto order = static_cast<double>(places_.size());
-    places_.push_back({value, numeric_ ? *number_of(value) : order});
+    places_.push_back({labels.words(key_, value), numeric_ ? *number_of(value) : order});
   }
 }
 
@@ -123,9 +124,10 @@ std::vector<KeyAxis> key_axes(const CampaignSpec& spec, RowIndex& rows) {
   const auto add = [&](KeyAxis axis) {
     if (axis.places().size() > 1) axes.push_back(std::move(axis));
   };
+  const ValueLabels labels(spec);
   for (std::size_t i = 0; i < spec.grid.size(); ++i) {
     const std::string& key = spec.grid[i].path;
-    if (key != kLocalizersKey) add(KeyAxis(key, grid_values(spec, i), false));
+    if (key != kLocalizersKey) add(KeyAxis(key, grid_values(spec, i), false, labels));
   }
   for (const DrawnKey& key : spec.drawn) {
     add(KeyAxis(key.path, drawn_values(spec, rows, key.path), true));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/campaign_page/figures/value_labels.hpp"
 #include "tools/cells/rows/rows_file.hpp"
 #include "tools/scenario/campaign_spec.hpp"
 
@@ -21,8 +22,9 @@ struct AxisPlace {
 /// equally many seeds.
 class KeyAxis {
  public:
-  /// `values`: with repetitions; empty ones are left out.
-  KeyAxis(std::string key, const std::vector<std::string>& values, bool drawn);
+  /// `values`: with repetitions; empty ones are left out. `labels`: their words.
+  KeyAxis(std::string key, const std::vector<std::string>& values, bool drawn,
+          const ValueLabels& labels = {});
 
   [[nodiscard]] const std::string& key() const { return key_; }
   [[nodiscard]] bool is_numeric() const { return numeric_; }
@@ -31,7 +33,7 @@ class KeyAxis {
   [[nodiscard]] std::optional<std::size_t> place_of(const CellRow& row) const;
 
  private:
-  void add_values(const std::vector<std::string>& distinct);
+  void add_values(const std::vector<std::string>& distinct, const ValueLabels& labels);
   void add_ranges(std::vector<double> ascending);
 
   std::string key_;

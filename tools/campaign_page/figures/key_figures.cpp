@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/campaign_page/figures/units.hpp"
 #include "tools/metrics/statistics/intervals.hpp"
 #include "tools/report/html/plot_data.hpp"
 
@@ -42,7 +43,7 @@ FigureJson series_json(const KeyFigures& figures, std::size_t axis, std::size_t 
 FigureJson axis_json(const KeyFigures& figures, std::size_t axis, std::size_t series,
                      const std::vector<std::string>& names) {
   const KeyAxis& key = figures.axes()[axis];
-  FigureJson json{{"key", key.key()}, {"numeric", key.is_numeric()}};
+  FigureJson json{{"key", key.key()}, {"unit", key_unit(key.key())}, {"numeric", key.is_numeric()}};
   PlotColumn x;
   json["labels"] = FigureJson::array();
   for (const AxisPlace& place : key.places()) {
@@ -123,13 +124,20 @@ const PooledFigure* KeyFigures::overall(std::size_t series, const std::string& f
   return found == overall_[series].end() ? nullptr : &found->second;
 }
 
-FigureJson key_figures_json(const KeyFigures& figures, const std::vector<std::string>& series) {
+FigureJson key_figures_json(const KeyFigures& figures, const std::vector<std::string>& series,
+                            const std::vector<int>& styles) {
   const std::vector<std::string> names = figures.names();
   FigureJson axes = FigureJson::array();
   for (std::size_t axis = 0; axis < figures.axes().size(); ++axis) {
     axes.push_back(axis_json(figures, axis, series.size(), names));
   }
-  return {{"series", series}, {"names", names}, {"axes", std::move(axes)}};
+  FigureJson units = FigureJson::array();
+  for (const std::string& name : names) units.push_back(metric_unit(name));
+  return {{"series", series},
+          {"styles", styles},
+          {"names", names},
+          {"units", std::move(units)},
+          {"axes", std::move(axes)}};
 }
 
 }  // namespace castaway::testbed

@@ -53,8 +53,10 @@ class KeyFigures {
   std::vector<std::vector<std::vector<Figures>>> by_place_;  // By axis, place, series.
 };
 
-/// The data of the curves, for web/src/campaign_curves.js. `series`: their labels.
+/// The data of the curves, for web/src/campaign_plots.js. `series`: their labels; `styles`: of the
+/// palette, -1 for none.
 nlohmann::ordered_json key_figures_json(const KeyFigures& figures,
-                                        const std::vector<std::string>& series);
+                                        const std::vector<std::string>& series,
+                                        const std::vector<int>& styles);
 
 }  // namespace castaway::testbed

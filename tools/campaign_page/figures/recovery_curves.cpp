@@ -44,26 +44,33 @@ Stairs stairs(const Survival& survival) {
   return corners;
 }
 
-RecoveryJson recovery_line(const std::string& label, const Survival& times) {
+RecoveryJson recovery_line(const std::string& label, int style, const Survival& times) {
   const Stairs corners = stairs(times);
   RecoveryJson line =
       point_series(fmt::format("{} (n = {})", label, times.size()), "band", corners.curve);
   line["low"] = plot_numbers(corners.low);
   line["high"] = plot_numbers(corners.high);
+  line["color"] = style;
   return line;
 }
 
+/// Labels of the series with their styles.
+struct SeriesTexts {
+  const std::vector<std::string>& labels;
+  const std::vector<int>& styles;
+};
+
 /// A plot of all localizers; `survival(k)`: of series k.
 template <typename SurvivalOf>
-RecoveryJson recovery_plot(const std::string& title, const std::vector<std::string>& series,
-                           double longest_s, SurvivalOf survival) {
+RecoveryJson recovery_plot(const std::string& title, const SeriesTexts& series, double longest_s,
+                           SurvivalOf survival) {
   RecoveryJson lines = RecoveryJson::array();
-  for (std::size_t k = 0; k < series.size(); ++k) {
-    lines.push_back(recovery_line(series[k], survival(k)));
+  for (std::size_t k = 0; k < series.labels.size(); ++k) {
+    lines.push_back(recovery_line(series.labels[k], series.styles[k], survival(k)));
   }
   return {{"title", title},
           {"x", {{"label", "time since the kidnap [s]"}, {"range", {0.0, longest_s}}}},
-          {"y", {{"label", "not yet recovered"}, {"range", {0, 1}}}},
+          {"y", {{"label", "share not yet recovered"}, {"range", {0, 1}}}},
           {"series", std::move(lines)},
           {"nothing", "No kidnaps."}};
 }
@@ -94,20 +101,22 @@ void RecoveryCurves::add(const CellRow& row, std::size_t series, const ScoredKid
 }
 
 RecoveryJson recovery_curves_json(const RecoveryCurves& curves,
-                                  const std::vector<std::string>& series) {
+                                  const std::vector<std::string>& series,
+                                  const std::vector<int>& styles) {
+  const SeriesTexts texts{series, styles};
   const double longest = longest_of(curves, series.size());
   const auto overall = [&](std::size_t k) -> const Survival& { return curves.overall(k); };
   RecoveryJson groups = RecoveryJson::array();
   groups.push_back(
       {{"name", "all kidnaps"},
-       {"plots", RecoveryJson::array({recovery_plot("All kidnaps", series, longest, overall)})}});
+       {"plots", RecoveryJson::array({recovery_plot("All kidnaps", texts, longest, overall)})}});
   for (std::size_t axis = 0; axis < curves.axes().size(); ++axis) {
     const KeyAxis& key = curves.axes()[axis];
     RecoveryJson plots = RecoveryJson::array();
     for (std::size_t place = 0; place < key.places().size(); ++place) {
       const auto here = [&](std::size_t k) -> const Survival& { return curves.at(axis, place, k); };
       plots.push_back(recovery_plot(fmt::format("{} = {}", key.key(), key.places()[place].label),
-                                    series, longest, here));
+                                    texts, longest, here));
     }
     groups.push_back({{"name", key.key()}, {"plots", std::move(plots)}});
   }

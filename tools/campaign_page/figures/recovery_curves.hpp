@@ -32,8 +32,9 @@ class RecoveryCurves {
 };
 
 /// The data of the curves: groups of plots, the first one of all kidnaps, then one for each key.
-/// web/src/campaign_recovery.js draws it. `series`: their labels.
+/// web/src/campaign_choices.js draws it. `series`: their labels; `styles`: of the palette.
 nlohmann::ordered_json recovery_curves_json(const RecoveryCurves& curves,
-                                            const std::vector<std::string>& series);
+                                            const std::vector<std::string>& series,
+                                            const std::vector<int>& styles);
 
 }  // namespace castaway::testbed

@@ -63,7 +63,10 @@ std::string readable(const std::optional<double>& value, std::string_view unit) 
   if (magnitude > 0.0 && magnitude < 100.0) {
     digits = std::clamp(2 - static_cast<int>(std::floor(std::log10(magnitude))), 0, 4);
   }
-  const std::string number = fmt::format("{:.{}f}", *value, digits);
+  constexpr double kLeast = 0.00005;  // Smaller numbers would read 0.
+  const std::string number = magnitude > 0.0 && magnitude < kLeast
+                                 ? fmt::format("{:.0e}", *value)
+                                 : fmt::format("{:.{}f}", *value, digits);
   return unit.empty() ? number : fmt::format("{} {}", number, unit);
 }
 

@@ -1,6 +1,6 @@
 // What the 3-D view shows at a moment. A moment is what layers.js calls a scene, with `live.lift`: [height, roll, pitch].
 import {beamPoints, beamsOf, peopleOf, populationsOf} from '../details.js';
-import {kCorners, kTurns, pick, rgb} from '../palette.js';
+import {kCorners, kTurns, pick, rgb, shade, stylesOf} from '../palette.js';
 import {pieces, poseAt} from '../poses.js';
 import {Changing3d} from './changing.js';
 import {Walks, peopleBetween} from './gait.js';
@@ -21,8 +21,9 @@ const share = (color) => rgb(color).map((value) => value / 255);
 export class Content3d {
   constructor(json, names, scene, light) {
     this.names = names;
+    this.styles = stylesOf(names);
     this.world = new World3d(json, light);
-    this.robots = new Robots3d(json, light, names, {corners: kCorners, turns: kTurns});
+    this.robots = new Robots3d(json, light, names, {corners: this.styles.map((style) => pick(kCorners, style)), turns: this.styles.map((style) => pick(kTurns, style))});
     this.people = new People3d(json.person, light);
     this.changing = new Changing3d(json.changing, light);
     this.walks = new Walks();
@@ -52,8 +53,10 @@ export class Content3d {
   }
 
   recolor(colors) {
-    this.colors = {localizers: colors.localizers.map(share), populations: colors.populations.map(share), mark: share(colors.mark)};
-    this.robots.recolor(this.names.map((_, k) => pick(this.colors.localizers, k)), kTruth);
+    const own = this.styles.map((style) => pick(colors.localizers, style));
+    this.colors = {localizers: own.map(share), populations: own.map((color) => [0, 1, 2].map((id) => share(shade(color, id)))),
+      mark: share(colors.mark)};
+    this.robots.recolor(this.colors.localizers, kTruth);
   }
 
   /** `eye`: where the camera is [m]; `ratio`: of the canvas's pixels to the page's. */
@@ -134,7 +137,7 @@ export class Content3d {
     recording.localizers.forEach((_, k) => {
       if (moment.of >= 0 && moment.of !== k) return;
       for (const population of populationsOf(recording, k, detail)) {
-        const color = pick(this.colors.populations, population.id);
+        const color = pick(this.colors.populations[k], population.id);
         const {points, z = 0} = population;
         for (let i = 0; i < points.length; i += 2) this.particles.add(points[i], points[i + 1], 0.02 + z, color);
         if (!population.selected) this.arrows.add(population, 0.03 + z, size, color);
@@ -148,7 +151,7 @@ export class Content3d {
       const shown = recording.scans > 0 && show.has('trails') && (i === 0 || of < 0 || of === i - 1);
       const heights = [];
       const lines = shown ? pieces(track, recording.scanAt(time - kTrail), scan, () => true, heights) : [];
-      const color = i === 0 ? kTruth : pick(this.colors.localizers, i - 1);
+      const color = i === 0 ? kTruth : this.colors.localizers[i - 1];
       this.trails[i].show(lines, i === 0 ? 0.09 : 0.035, 0.01 + 0.002 * i, color, heights);
     });
   }

@@ -3,7 +3,7 @@ import {ColorManagement, LinearSRGBColorSpace, PerspectiveCamera, Scene, WebGLRe
 import {element} from '../dom.js';
 import {floorOf} from '../levels.js';
 import {poseAt} from '../poses.js';
-import {rgb} from '../palette.js';
+import {rgb, styleOf} from '../palette.js';
 import * as cameras from './camera.js';
 import {Content3d} from './content.js';
 import {Hands3d} from './hands3d.js';
@@ -240,7 +240,7 @@ export class View3d {
       const y = freeRow(taken, px, py);
       label.hidden = false;
       label.textContent = lost ? `${names[k]} ?` : names[k];
-      label.style.setProperty('--own', `var(--c${k % 6})`);
+      label.style.setProperty('--own', `var(--c${styleOf(names, k)})`);
       label.style.transform = `translate(${px.toFixed(1)}px, ${y.toFixed(1)}px)`;
     }
   }

@@ -61,6 +61,7 @@ const pages = {
   report: openReport,
   campaign: (screen) => browser.open(inPages('campaign/campaign.html'), screen),
   costs: (screen) => browser.open(inPages('campaign/costs.html'), screen),
+  runs: (screen) => browser.open(inPages('before/index.html'), screen),
   plots: (screen) => browser.open(inPages('experiment/report.html'), screen),
   comparison: (screen) => browser.open(inPages('comparison/comparison.html'), screen),
 };

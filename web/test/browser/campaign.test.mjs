@@ -46,6 +46,15 @@ test('draws the figure that is chosen', async () => {
   assert.equal(await browser.evaluate(`document.querySelectorAll('.campaign-curves canvas').length`), 1);
 });
 
+test('names units on the axes, and its specification', async () => {
+  const labels = await browser.evaluate(`[...document.querySelectorAll('.campaign-curves .u-legend .u-label')]
+    .map(({textContent}) => textContent)`);
+  assert.deepEqual(labels, ['lidar.range_max [m]', 'mh_amcl', 'amcl']);
+  const text = await browser.evaluate(`document.querySelector('.specification').innerText`);
+  assert.match(text, /lidar\.range_max \[m\]\s+4, 12/);
+  assert.match(text, /localizers\s+mh_amcl; amcl/);
+});
+
 test('draws survival curves by the values of a key', async () => {
   await choose('.campaign-recovery select', '"1"');
   const titles = await browser.evaluate(`[...document.querySelectorAll('.campaign-recovery figcaption')]
@@ -74,7 +83,7 @@ test('filters rows', async () => {
   await browser.evaluate(`(() => {
     const box = document.querySelector('[data-name="worst"]').closest('.wide').previousElementSibling;
     const input = box.querySelector('input');
-    input.value = 'range_max = 12 [mh_amcl]';
+    input.value = 'range_max = 12; localizers = mh_amcl';
     input.dispatchEvent(new Event('input'));
   })()`);
   assert.deepEqual((await browser.evaluate(kTexts('worst', 0))).sort(), ['4', '5']);

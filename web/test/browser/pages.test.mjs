@@ -1,4 +1,4 @@
-// Pages of an experiment, a comparison, a run and a campaign at the widths of a wide screen and of a telephone, light and dark.
+// Pages of an experiment, a comparison, a run, several runs and a campaign at the widths of a wide screen and of a telephone, light and dark.
 // CASTAWAY_CHROMIUM: the browser; CASTAWAY_PAGES: folder of the pages; CASTAWAY_SCREENSHOTS: folder that pictures are
 // left in (optional).
 import assert from 'node:assert/strict';
@@ -10,7 +10,7 @@ import {Chromium} from './chromium.mjs';
 
 const pages = {
   experiment: 'experiment/report.html', comparison: 'comparison/comparison.html', run: 'before/seed-1/report.html',
-  campaign: 'campaign/campaign.html', costs: 'campaign/costs.html',
+  runs: 'before/index.html', campaign: 'campaign/campaign.html', costs: 'campaign/costs.html',
 };
 const folder = process.env.CASTAWAY_SCREENSHOTS;
 let browser;
@@ -91,4 +91,35 @@ test('draws intervals of a comparison without dashes', async () => {
   const dashes = await browser.evaluate(`[...document.querySelectorAll('.bar')].map((bar) =>
     getComputedStyle(bar).strokeDasharray)`);
   assert.ok(dashes.length > 0 && dashes.every((dash) => dash === 'none'));
+});
+
+const kSeeds = `[...document.querySelectorAll('[data-name="runs"] tbody tr')].filter((row) => !row.hidden)
+  .map((row) => row.cells[0].textContent)`;
+
+test('the page of several runs begins with what they amount to, and sorts and reduces its table of runs', async () => {
+  await open('runs', 1600, false);
+  assert.deepEqual(await browser.evaluate(`[...document.querySelectorAll('h2')].map(({textContent}) => textContent)`),
+    ['Result', 'Recoveries', 'Runs']);
+  assert.equal(await browser.evaluate(`document.querySelectorAll('svg.chart path').length`), 2);  // A line a localizer.
+  const sort = `document.querySelector('[data-name="runs"] th button').click()`;
+  const state = `document.querySelector('[data-name="runs"] th').getAttribute('aria-sort')`;
+  await browser.evaluate(sort);
+  assert.deepEqual([await browser.evaluate(state), await browser.evaluate(kSeeds)], ['ascending', ['seed 1', 'seed 2']]);
+  await browser.evaluate(sort);
+  assert.deepEqual([await browser.evaluate(state), await browser.evaluate(kSeeds)], ['descending', ['seed 2', 'seed 1']]);
+  const failed = await browser.evaluate(`[...document.querySelectorAll('[data-name="runs"] tbody tr')]
+    .filter((row) => row.querySelector('.bad')).length`);
+  assert.ok(failed > 0);  // `amcl` does not recover here.
+  await browser.evaluate(`document.querySelector('.table-tools input[type="checkbox"]').click()`);
+  assert.equal((await browser.evaluate(kSeeds)).length, failed);
+});
+
+test('one localizer has one colour in the chart of several runs and in the report of one', async () => {
+  const lineOf = (name) => `[...document.querySelectorAll('.legend span, th')]
+    .find((it) => it.textContent.startsWith('${name}') && it.querySelector('line')).querySelector('line').getAttribute('class')`;
+  await open('runs', 1600, false);
+  const there = [await browser.evaluate(lineOf('mh_amcl')), await browser.evaluate(lineOf('amcl'))];
+  await open('run', 1600, false);
+  assert.deepEqual([await browser.evaluate(lineOf('mh_amcl')), await browser.evaluate(lineOf('amcl'))], there);
+  assert.notEqual(there[0], there[1]);
 });

@@ -63,6 +63,66 @@ function noErrors() {
   assert.deepEqual(browser.requests.filter((asked) => !/^(file|data|blob):/.test(asked)), []);
 }
 
+test('opens where a localizer was lost and did not recover, else at the first kidnap', async () => {
+  await open();
+  const {open_s: wanted, events} = await browser.evaluate(`JSON.parse(document.getElementById('castaway-page').textContent)`);
+  assert.ok(events.some((event) => event.kind === 'kidnap' && event.time === wanted));
+  assert.ok(await time() >= wanted && await time() < wanted + 0.3);
+});
+
+test('switches of layers and cards are beside the map', async () => {
+  await open({width: 1280, height: 900});
+  const boxes = await browser.evaluate(`['canvas.map', '.layers', '.card'].map((selector) => {
+    const {left, right, top} = document.querySelector('#castaway-player ' + selector).getBoundingClientRect();
+    return {left, right, top};
+  })`);
+  assert.ok(boxes[1].left >= boxes[0].right && boxes[2].left >= boxes[0].right);
+  const [bottom, map] = await browser.evaluate(`['.layers', 'canvas.map'].map((selector) =>
+    document.querySelector('#castaway-player ' + selector).getBoundingClientRect().bottom)`);
+  assert.ok(bottom < map + 120, `${bottom}, ${map}`);
+});
+
+test('draws a check mark for every recovery that is not too near to another one', async () => {
+  await open();
+  const events = await browser.evaluate(`JSON.parse(document.getElementById('castaway-page').textContent).events`);
+  const recoveries = events.filter(({kind}) => kind === 'recovery');
+  assert.ok(recoveries.length > 0);
+  const marks = await browser.evaluate(`[...document.querySelectorAll('.lane-marks .mark.recovery')]
+    .map((mark) => [mark.textContent, mark.getAttribute('aria-label')])`);
+  assert.ok(marks.length > 0 && marks.length <= recoveries.length);
+  assert.ok(marks.every(([text, label]) => text === '\u2713' && /^Jump to recovery/.test(label)));
+  await press('Home');
+  await act("document.querySelector('.lane-marks .mark.recovery').click()");
+  const at = await time();
+  assert.ok(recoveries.some((event) => Math.abs(event.time - at) < 1e-3), `${at}`);
+});
+
+test('colours the path by the error of a localizer', async () => {
+  await open();
+  await press('Home');
+  const map = await mapSum();
+  const hidden = "document.querySelector('.error-signs').hidden";
+  assert.equal(await browser.evaluate(hidden), true);
+  const choose = (value) => act(`(() => {
+    const select = document.querySelector('[aria-label="Localizer whose error colours the path"]');
+    select.value = '${value}';
+    select.dispatchEvent(new Event('change'));
+  })()`);
+  await choose(1);
+  assert.equal(await browser.evaluate(hidden), false);
+  assert.notEqual(await mapSum(), map);
+  assert.match(await browser.evaluate("document.querySelector('.error-signs').textContent"), /position error \[m\]/);
+  await choose(-1);
+  assert.equal(await mapSum(), map);
+  noErrors();
+});
+
+test('says at its head when and where it was made', async () => {
+  await open();
+  const head = await browser.evaluate("document.getElementById('castaway-made-place').parentElement.textContent");
+  assert.match(head, /castaway [0-9.]+, made on \d{4}-\d\d-\d\d \d\d:\d\d UTC, .* cores?$/);
+});
+
 test('opens at the moment of its address', async () => {
   await browser.open(`${url}#t=7`, {});
   await browser.until("document.querySelector('#castaway-player[data-time]')");
@@ -188,13 +248,15 @@ test('curves and map are saved', async () => {
   await browser.send('Page.setDownloadBehavior', {behavior: 'allow', downloadPath: saved});
   const press = (text) => browser.evaluate(`[...document.querySelectorAll('.curves-head button')]
     .find((button) => button.textContent === ${JSON.stringify(text)}).click()`);
-  for (const text of ['Curves as CSV', 'Curves as PNG', 'Map as PNG']) await press(text);
+  for (const text of ['Curves as CSV', 'Curves as PNG', 'Curves as SVG', 'Map as PNG']) await press(text);
   const done = () => readdirSync(saved).filter((name) => !name.endsWith('.crdownload'));
-  for (let tries = 0; tries < 200 && done().length < 3; ++tries) await new Promise((resolve) => setTimeout(resolve, 50));
-  const [csv, curves, map] = done().sort().map((name) => readFileSync(join(saved, name)));
+  for (let tries = 0; tries < 200 && done().length < 4; ++tries) await new Promise((resolve) => setTimeout(resolve, 50));
+  const [csv, curves, svg, map] = done().sort().map((name) => readFileSync(join(saved, name)));
   const lines = csv.toString().trimEnd().split('\n');
   assert.ok(lines[0].startsWith('time_s,mh_amcl.error_m,'));
   assert.equal(lines.length, 1 + 120);  // 12 s at 10 Hz.
+  assert.match(svg.toString(), /^<svg [^]*Position error \[m\][^]*<path d="M[^"]*L[^"]*"[^]*mh_amcl<\/text>[^]*<\/svg>\n$/);
+  assert.doesNotMatch(svg.toString(), /NaN|undefined|null/);
   for (const picture of [curves, map]) {
     assert.deepEqual([...picture.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
     assert.ok(picture.length > 5000);

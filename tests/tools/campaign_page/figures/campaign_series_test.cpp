@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/tools/support/campaign_rows.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -14,7 +16,7 @@ CellRow row_with(const std::string& setting, const std::string& metric) {
 
 std::vector<std::string> labels_of(const SeriesFinder& finder) {
   std::vector<std::string> labels;
-  for (const CampaignSeries& series : finder.series()) labels.push_back(series.label());
+  for (const CampaignSeries& series : finder.series()) labels.push_back(series.label);
   return labels;
 }
 
@@ -30,10 +32,27 @@ TEST(CampaignSeries, IsASettingWhereANameHasSeveral) {
   finder.add(row_with("[amcl]", "amcl.availability"));
   finder.add(row_with("-   amcl:     x: 1", "amcl.availability"));
   finder.add(row_with("[amcl]", "amcl.availability"));
-  EXPECT_EQ(labels_of(finder), (std::vector<std::string>{"amcl ([amcl])", "amcl (amcl: x: 1)"}));
+  EXPECT_EQ(labels_of(finder),
+            (std::vector<std::string>{"amcl ([amcl])", "amcl (-   amcl:     x: 1)"}));
   const CampaignSeries second = finder.series()[1];
   EXPECT_TRUE(second.in(row_with("-   amcl:     x: 1", "amcl.availability")));
   EXPECT_FALSE(second.in(row_with("[amcl]", "amcl.availability")));
+}
+
+TEST(CampaignSeries, HasItsPartOfTheSettingAsLabel) {
+  CampaignOfRows campaign(
+      "scenario: {world: lab}\ngrid: {localizers: [[amcl, mh_amcl], [{amcl: {x: 1, y: {z: [2, "
+      "3]}}}], "
+      "[{amcl: {preset: amcl-prob}}]]}\n");
+  SeriesFinder finder({"amcl", "amcl-prob"}, ValueLabels(campaign.spec()));
+  for (int i = 0; i < 3; ++i) {
+    CellRow row = campaign.row(i);
+    row.metrics[i < 2 ? "amcl.availability" : "amcl-prob.availability"] = 1.0;
+    finder.add(row);
+  }
+  EXPECT_EQ(labels_of(finder),
+            (std::vector<std::string>{"amcl", "amcl (x 1, y (z 2, 3))", "amcl-prob"}));
+  EXPECT_EQ(series_styles(finder.series()), (std::vector<int>{1, 2, 3, -1}));
 }
 
 TEST(CampaignSeries, LeavesOutLocalizersWithoutFigures) {

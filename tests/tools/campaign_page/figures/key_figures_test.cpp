@@ -46,9 +46,11 @@ TEST(KeyFigures, AreWrittenForTheScript) {
   KeyFigures figures = two_axes();
   figures.add(at("6", "push"), 0, "error", 0.25);
   figures.add(at("6", "carry"), 0, "error", 0.75);
-  const auto json = key_figures_json(figures, {"a", "run"});
+  const auto json = key_figures_json(figures, {"a", "run"}, {4, -1});
   EXPECT_EQ(json.at("series"), (std::vector<std::string>{"a", "run"}));
   EXPECT_EQ(json.at("names"), std::vector<std::string>{"error"});
+  EXPECT_EQ(json.at("styles"), (std::vector<int>{4, -1}));
+  EXPECT_EQ(json.at("units"), std::vector<std::string>{""});
   const auto& axis = json.at("axes").at(0);
   EXPECT_EQ(axis.at("key"), "range");
   EXPECT_EQ(axis.at("x"), (std::vector<int>{3, 6}));

@@ -34,7 +34,7 @@ TEST(RecoveryCurves, AreDrawnAsStairs) {
   add_kidnap(curves, "3", 0, 3.0);
   add_kidnap(curves, "3", 0, std::nullopt);
   add_kidnap(curves, "3", 0, std::nullopt);
-  const auto json = recovery_curves_json(curves, {"a", "b"});
+  const auto json = recovery_curves_json(curves, {"a", "b"}, {3, 1});
   ASSERT_EQ(json.size(), 2U);
   const auto& line = json[0].at("plots").at(0).at("series").at(0);
   EXPECT_EQ(line.at("name"), "a (n = 4)");
@@ -44,6 +44,7 @@ TEST(RecoveryCurves, AreDrawnAsStairs) {
   EXPECT_EQ(line.at("low"), (std::vector<double>{1, 1, 0.128, 0.128, 0.0578, 0.0578}));
   EXPECT_EQ(line.at("high"), (std::vector<double>{1, 1, 0.961, 0.961, 0.845, 0.845}));
   EXPECT_EQ(line.at("style"), "band");
+  EXPECT_EQ(line.at("color"), 3);
   EXPECT_EQ(json[1].at("plots").size(), 2U);
   EXPECT_EQ(json[1].at("plots").at(1).at("title"), "range = 6");
   EXPECT_TRUE(json[1].at("plots").at(1).at("series").at(0).at("x").empty());
@@ -52,7 +53,7 @@ TEST(RecoveryCurves, AreDrawnAsStairs) {
 TEST(RecoveryCurves, OfManyKidnapsStaySmall) {
   RecoveryCurves curves = one_axis();
   for (int i = 0; i < 10000; ++i) add_kidnap(curves, "3", 0, 0.01 * (i % 5000));
-  const auto json = recovery_curves_json(curves, {"a", "b"});
+  const auto json = recovery_curves_json(curves, {"a", "b"}, {3, 1});
   const auto& y = json[0].at("plots").at(0).at("series").at(0).at("y");
   EXPECT_LT(y.size(), 300U);
   EXPECT_EQ(y.back(), 0);

@@ -1,4 +1,4 @@
-#include "tools/campaign_page/data_table.hpp"
+#include "tools/report/html/data_table.hpp"
 
 #include <fmt/format.h>
 

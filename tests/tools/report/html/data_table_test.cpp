@@ -1,4 +1,4 @@
-#include "tools/campaign_page/data_table.hpp"
+#include "tools/report/html/data_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,6 +25,8 @@ TEST(DataTable, WithoutRowsIsASentence) {
 TEST(DataTable, CellsOfNumbers) {
   EXPECT_EQ(count_cell(12345).text, "12345");
   EXPECT_EQ(number_cell(std::nullopt).text, "–");
+  EXPECT_EQ(number_cell(0.00005).text, "0.0001");
+  EXPECT_EQ(number_cell(-0.0000321, "m").text, "-3e-05 m");  // Not 0.
   EXPECT_FALSE(number_cell(std::nullopt).value);
 }
 
