@@ -47,9 +47,22 @@ std::vector<RecoveryPair> recovery_pairs(const RunSet& set) {
   return pairs;
 }
 
+/// The number of kidnaps that it takes to tell any of so many pairs apart, if one localizer
+/// recovers from all of them and the other from none.
+int kidnaps_needed(std::size_t pairs) {
+  int needed = 1;
+  double p = static_cast<double>(pairs);  // Of one kidnap: 2 * 0.5, corrected by Holm.
+  for (; p >= kSignificance; p *= 0.5) ++needed;
+  return needed;
+}
+
 /// Of the first of two localizers if `sign` is 1, of the second one if it is -1.
-std::string verdict_text(const RecoveryPair& pair, double p, int sign) {
+std::string verdict_text(const RecoveryPair& pair, double p, int sign, int needed) {
   const std::string& other = sign > 0 ? pair.second : pair.first;
+  if (pair.outcomes.trials() < needed) {
+    return fmt::format("too few kidnaps to tell it from {}: {}, it takes {}", other,
+                       pair.outcomes.trials(), needed);
+  }
   if (p >= kSignificance) return fmt::format("no difference to {} seen ({})", other, p_text(p));
   const bool more = sign * pair.outcomes.difference() > 0.0;
   return fmt::format("recovers {} often than {} ({})", more ? "more" : "less", other, p_text(p));
@@ -71,9 +84,10 @@ std::map<std::string, std::string> recovery_verdicts(const RunSet& set) {
     std::string& text = verdicts[localizer];
     text += (text.empty() ? "" : "; ") + words;
   };
+  const int needed = kidnaps_needed(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    add(pairs[i].first, verdict_text(pairs[i], corrected[i], 1));
-    add(pairs[i].second, verdict_text(pairs[i], corrected[i], -1));
+    add(pairs[i].first, verdict_text(pairs[i], corrected[i], 1, needed));
+    add(pairs[i].second, verdict_text(pairs[i], corrected[i], -1, needed));
   }
   return verdicts;
 }

@@ -66,9 +66,24 @@ TEST(RecoveryVerdicts, SayWhoRecoversMoreOftenOnlyIfItIsSignificant) {
   auto verdicts = recovery_verdicts(one_sided_set(8));
   EXPECT_EQ(verdicts["mh_amcl"], "recovers more often than amcl (p = 0.008)");
   EXPECT_EQ(verdicts["amcl"], "recovers less often than mh_amcl (p = 0.008)");
-  verdicts = recovery_verdicts(one_sided_set(4));
-  EXPECT_EQ(verdicts["mh_amcl"], "no difference to amcl seen (p = 0.125)");
+  RunSet alike = one_sided_set(6);
+  for (SetRun& run : alike.runs) run.summary["localizers"]["amcl"] = kidnapped_once(1.0);
+  EXPECT_EQ(recovery_verdicts(alike)["amcl"], "no difference to mh_amcl seen (p = 1.000)");
   EXPECT_EQ(p_text(0.0001), "p < 0.001");
+}
+
+// Of 5 pairs all in one direction p is 2^-4, of 6 it is 2^-5; 3 pairs of localizers take 2^-6 / 3.
+TEST(RecoveryVerdicts, SayHowManyKidnapsItTakes) {
+  EXPECT_EQ(recovery_verdicts(one_sided_set(5))["mh_amcl"],
+            "too few kidnaps to tell it from amcl: 5, it takes 6");
+  EXPECT_EQ(recovery_verdicts(one_sided_set(6))["mh_amcl"],
+            "recovers more often than amcl (p = 0.031)");
+  RunSet three = one_sided_set(6);
+  three.localizers.push_back("third");
+  for (SetRun& run : three.runs) run.summary["localizers"]["third"] = kidnapped_once(1.0);
+  EXPECT_EQ(recovery_verdicts(three)["third"],
+            "too few kidnaps to tell it from mh_amcl: 6, it takes 7; too few kidnaps to tell it "
+            "from amcl: 6, it takes 7");
 }
 
 TEST(RecoveryVerdicts, LeaveOutVoidRunsAndOtherKidnaps) {
