@@ -90,7 +90,7 @@ test('draws a check mark for every recovery that is not too near to another one'
   const marks = await browser.evaluate(`[...document.querySelectorAll('.lane-marks .mark.recovery')]
     .map((mark) => [mark.textContent, mark.getAttribute('aria-label')])`);
   assert.ok(marks.length > 0 && marks.length <= recoveries.length);
-  assert.ok(marks.every(([text, label]) => text === '\u2713' && /^Jump to recovery/.test(label)));
+  assert.ok(marks.every(([text, label]) => text === '\u2713' && /^Jump to .*, at [\d.]+ s$/.test(label)));
   await press('Home');
   await act("document.querySelector('.lane-marks .mark.recovery').click()");
   const at = await time();
