@@ -1,3 +1,4 @@
+// Over 400 lines: its steps share the state of one process, which copies of it go on with.
 #include "tools/live/live_player.hpp"
 
 #include <unistd.h>

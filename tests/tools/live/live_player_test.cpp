@@ -1,3 +1,4 @@
+// Over 400 lines: all tests take the same player behind a socket.
 #include "tools/live/live_player.hpp"
 
 #include <sys/socket.h>
