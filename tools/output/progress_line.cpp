@@ -8,13 +8,9 @@
 #include "tools/files/utf8.hpp"
 
 namespace castaway::testbed {
+namespace {
 
-std::size_t columns_of(std::FILE* stream) {
-  winsize size{};
-  if (ioctl(fileno(stream), TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::string::npos;
-  return size.ws_col;
-}
-
+/// The first `columns` characters of UTF-8 text.
 std::string cut_to(const std::string& text, std::size_t columns) {
   std::size_t shown = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -24,11 +20,21 @@ std::string cut_to(const std::string& text, std::size_t columns) {
   return text;
 }
 
-void show_progress(const std::string& text) {
-  const std::size_t columns = columns_of(stderr);
-  // The last column stays free: some terminals wrap when it is written.
+}  // namespace
+
+std::size_t columns_of(std::FILE* stream) {
+  winsize size{};
+  if (ioctl(fileno(stream), TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::string::npos;
+  return size.ws_col;
+}
+
+std::string progress_text(const std::string& text, std::size_t columns) {
   const bool known = columns != std::string::npos && columns > 1;
-  fmt::print(stderr, "\r\033[K{}", known ? cut_to(printable(text), columns - 1) : printable(text));
+  return known ? cut_to(printable(text), columns - 1) : printable(text);
+}
+
+void show_progress(const std::string& text) {
+  fmt::print(stderr, "\r\033[K{}", progress_text(text, columns_of(stderr)));
   std::fflush(stderr);
 }
 

@@ -38,6 +38,7 @@ test('styles are those of the pictures', () => {
 
 test('names that would share a style take a free one', () => {
   assert.deepEqual(stylesOf(['amcl', 'amcl']), [1, 2]);
+  assert.deepEqual(stylesOf(['mine', 'mine', 'mine']), [4, 5, 2]);
   const all = stylesOf(['a', 'b', 'c', 'd', 'e', 'f', 'a']);
   assert.equal(new Set(all.slice(0, 6)).size, 6);
   assert.ok(all[6] >= 0 && all[6] < 6);

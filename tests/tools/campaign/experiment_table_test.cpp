@@ -50,10 +50,5 @@ TEST(ExperimentTable, HasARowForEveryFigureOfThePaper) {
   }
 }
 
-TEST(TextTables, ArePaddedToTheirWidestCells) {
-  EXPECT_EQ(as_text({{"", "x"}, {{"long", "1"}, {"s", "22"}}}),
-            "          x\n  long    1\n  s      22\n");
-}
-
 }  // namespace
 }  // namespace castaway::testbed

@@ -10,10 +10,15 @@ namespace castaway::testbed {
 namespace {
 
 TEST(ProgressLine, IsCutByCharacters) {
-  EXPECT_EQ(cut_to("12 / 30 cells", 20), "12 / 30 cells");
-  EXPECT_EQ(cut_to("12 / 30 cells", 7), "12 / 30");
-  EXPECT_EQ(cut_to("Räume", 2), "Rä");
-  EXPECT_EQ(cut_to("", 0), "");
+  EXPECT_EQ(progress_text("12 / 30 cells", 14), "12 / 30 cells");
+  EXPECT_EQ(progress_text("12 / 30 cells", 13), "12 / 30 cell");
+  EXPECT_EQ(progress_text("Räume", 3), "Rä");
+  EXPECT_EQ(progress_text("", 10), "");
+}
+
+TEST(ProgressLine, IsWholeWhereTheWidthIsNotKnown) {
+  EXPECT_EQ(progress_text("12 / 30 cells", std::string::npos), "12 / 30 cells");
+  EXPECT_EQ(progress_text("12 / 30 cells", 1), "12 / 30 cells");
 }
 
 TEST(ProgressLine, KnowsTheTerminalsWidth) {

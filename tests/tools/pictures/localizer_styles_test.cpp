@@ -26,6 +26,7 @@ TEST(LocalizerStyles, AreThoseOfThePlayer) {
 
 TEST(LocalizerStyles, TakeAFreeOneWhereTwoWouldBeEqual) {
   EXPECT_EQ(localizer_styles({"amcl", "amcl"}), (Styles{1, 2}));
+  EXPECT_EQ(localizer_styles({"mine", "mine", "mine"}), (Styles{4, 5, 2}));
   const Styles all = localizer_styles({"a", "b", "c", "d", "e", "f", "a"});
   EXPECT_EQ(std::set<std::size_t>(all.begin(), all.end() - 1).size(), 6U);
   EXPECT_LT(all.back(), 6U);
