@@ -3,7 +3,7 @@
 import dataclasses
 import typing
 
-from measuring import foreign, live, localizers, people, robots, ros2, sensors, speed, twins, worlds
+from measuring import foreign, live, localizers, people, robots, ros2, sensors, space, speed, twins, worlds
 from measuring.lab import bench
 
 LOOP = ["localization", "tools/metrics", "tools/run/loop.cpp", "tools/sources/build_localizers.cpp"]
@@ -26,7 +26,7 @@ class Block:
 
 
 LOCALIZATION, SIMULATION = "docs/figures/localization.md", "docs/figures/simulation.md"
-TRUTH = "docs/truth.md"
+TRUTH, SPACE = "docs/truth.md", "docs/maps-3d.md"
 EXPERIMENTS, SPEED = "docs/figures/experiments.md", "docs/figures/speed.md"
 
 BLOCKS = {
@@ -71,5 +71,12 @@ BLOCKS = {
     "dataset-speed": Block(SPEED, speed.dataset_speed, ["tools/dataset", "sim"], times=True),
     "ros2": Block("docs/ros2.md", ros2.lock_step, ["tools/ros2", "tests/program/ros2_peer"], times=True),
     "live": Block("docs/live.md", live.live, ["tools/live", "tools/commands/live.cpp", "web/src"], times=True),
+    "space-planar-worlds": Block(SPACE, space.planar_worlds, SIMULATOR + ["tools/map3d", "worlds"]),
+    "space-people-and-changes": Block(SPACE, space.people_and_changes, SIMULATOR + ["tools/map3d", "worlds"]),
+    "space-beam-errors": Block(SPACE, space.beam_errors, SIMULATOR + ["tools/map3d", "worlds/car-park", "worlds/hillside"]),
+    "space-kidnaps": Block(SPACE, space.kidnaps_on_floors, SIMULATOR + ["tools/map3d", "lidars", "worlds"]),
+    "space-replays": Block(SPACE, space.replays, SIMULATOR + ["tools/map3d", "tools/replay", "tools/sources/bag", "worlds/car-park"]),
+    "beliefs": Block("docs/localization.md", space.beliefs, SIMULATOR + ["tools/map3d", "worlds", "tools/measuring/beliefs.yaml"], logs=True,
+                     times=True),
     "bag-cost": Block(SPEED, speed.bag_cost, ["tools/ros", "tools/sinks/bag_sink.cpp"], times=True),
 }
