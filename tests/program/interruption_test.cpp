@@ -28,7 +28,12 @@ Outcome interrupted(const fs::path& folder, const std::string& arguments, int si
     execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
     _exit(9);
   }
-  for (int i = 0; i < 3000 && !ready(); ++i) std::this_thread::sleep_for(10ms);
+  bool is_ready = ready();
+  for (int i = 0; i < 30000 && !is_ready; ++i) {  // Five minutes: the machine may be busy.
+    std::this_thread::sleep_for(10ms);
+    is_ready = ready();
+  }
+  EXPECT_TRUE(is_ready) << "castaway " << arguments << " did not come so far";
   kill(process, signal);
   int status = 0;
   waitpid(process, &status, 0);
