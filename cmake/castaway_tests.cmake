@@ -1,7 +1,10 @@
-# Tests with sanitizers take longer to start than to run: there, a program's tests share some processes. Their labels third-0,
-# third-1 and third-2 divide them, for `tools/check dev`, which runs one third for each commit.
-set(CASTAWAY_TEST_SHARDS 0 CACHE STRING "Processes that run the tests of a program; 0: one for each test")
+# A process a test takes longer to start than most tests run: the tests of a program share some processes. `ctest -R NAME` therefore
+# names programs; one test is `build/release/PROGRAM --gtest_filter=NAME`. With sanitizers, their labels third-0, third-1 and third-2
+# divide them for `tools/check dev`, which runs one third for each commit.
+set(CASTAWAY_TEST_SHARDS 6 CACHE STRING "Processes that the tests of a program share")
 mark_as_advanced(CASTAWAY_TEST_SHARDS)
+set(CASTAWAY_TEST_TIMES ${PROJECT_BINARY_DIR}/test_times)  # What each test took, for tools/slowest_tests.
+file(MAKE_DIRECTORY ${CASTAWAY_TEST_TIMES})
 
 # LeakSanitizer's options for tests that load Mesa. With `intercept_tls_get_addr` it misreads the sizes of some thread-local
 # blocks, and crashes at exit.
@@ -9,24 +12,30 @@ set(CASTAWAY_MESA_ENVIRONMENT
   "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/support/lsan_mesa.supp:print_suppressions=0:intercept_tls_get_addr=0")
 
 # Registers the tests of a GoogleTest program: those that FILTER lets through, with a TIMEOUT in seconds and with ENVIRONMENT set.
+# APART: each test is a process of its own, which is shown and timed by its name: for tests that start processes themselves.
+# COST: what the longest of them takes [s]; those that take longest start first.
 function(castaway_tests name)
-  cmake_parse_arguments(PARSE_ARGV 1 test "" "FILTER;TIMEOUT;ENVIRONMENT" "")
+  cmake_parse_arguments(PARSE_ARGV 1 test "APART" "FILTER;TIMEOUT;ENVIRONMENT;COST" "")
   if(NOT test_FILTER)
     set(test_FILTER "*")
   endif()
   if(NOT test_TIMEOUT)
-    set(test_TIMEOUT 1500)
+    set(test_TIMEOUT 3000)
   endif()
-  if(CASTAWAY_TEST_SHARDS EQUAL 0)
+  if(NOT test_COST)
+    set(test_COST 0)
+  endif()
+  if(test_APART)
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER "${test_FILTER}"
-      PROPERTIES TIMEOUT ${test_TIMEOUT} ENVIRONMENT "${test_ENVIRONMENT}")
+      PROPERTIES TIMEOUT ${test_TIMEOUT} COST ${test_COST} ENVIRONMENT "${test_ENVIRONMENT}")
     return()
   endif()
   math(EXPR last "${CASTAWAY_TEST_SHARDS} - 1")
   foreach(shard RANGE ${last})
-    add_test(NAME ${name}_${shard} COMMAND ${name} "--gtest_filter=${test_FILTER}")
+    add_test(NAME ${name}_${shard} COMMAND ${name} "--gtest_filter=${test_FILTER}" --gtest_brief=1
+      "--gtest_output=json:${CASTAWAY_TEST_TIMES}/${name}_${shard}.json")
     math(EXPR third "${shard} % 3")
-    set_tests_properties(${name}_${shard} PROPERTIES TIMEOUT 3000 LABELS third-${third} ENVIRONMENT
+    set_tests_properties(${name}_${shard} PROPERTIES TIMEOUT ${test_TIMEOUT} COST ${test_COST} LABELS third-${third} ENVIRONMENT
       "GTEST_TOTAL_SHARDS=${CASTAWAY_TEST_SHARDS};GTEST_SHARD_INDEX=${shard};${test_ENVIRONMENT}")
   endforeach()
 endfunction()

@@ -1,5 +1,6 @@
 // Runs every command line in a code block of README and docs in a folder with the files that it
 // names. Only placeholders, durations and numbers of runs are replaced.
+#include <cctype>
 #include <regex>
 
 #include "tests/program/program.hpp"
@@ -36,20 +37,26 @@ std::vector<Shown> commands_in(const fs::path& page) {
   return commands;
 }
 
-std::vector<Shown> shown_commands() {
-  std::vector<Shown> all = commands_in(kSource / "README.md");
-  std::vector<fs::path> pages;
+/// README and the pages of docs that show commands, from the root.
+std::vector<std::string> pages() {
+  std::vector<std::string> found{"README.md"};
   for (const char* part : {"docs", "docs/theory"}) {  // tools/measure runs those of docs/figures.
     for (const auto& entry : fs::directory_iterator(kSource / part)) {
-      if (entry.path().filename() == "your-localizer.md") continue;  // Tried word by word.
-      if (entry.path().extension() == ".md") pages.push_back(entry.path());
+      const fs::path& page = entry.path();
+      if (page.filename() == "your-localizer.md") continue;  // Tried word by word.
+      if (page.extension() != ".md" || commands_in(page).empty()) continue;
+      found.push_back(fs::relative(page, kSource).string());
     }
   }
-  std::sort(pages.begin(), pages.end());
-  for (const fs::path& page : pages) {
-    for (Shown& shown : commands_in(page)) all.push_back(std::move(shown));
-  }
-  return all;
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::string page_name(const testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param.substr(0, info.param.rfind('.'));
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
 }
 
 std::string replaced(const std::string& text, const std::string& what, const std::string& by) {
@@ -94,9 +101,9 @@ const char* const kWorld = R"(<sdf version="1.6"><world name="mine">
 </link></model></world></sdf>
 )";
 
-/// A folder with the files that the pages' commands name.
-fs::path folder_with_inputs() {
-  const fs::path folder = fresh_folder();
+/// Makes the files that the pages' commands name.
+fs::path make_inputs(const fs::path& folder) {
+  fs::create_directories(folder);
   for (const char* name : {"worlds", "robots", "datasets", "campaigns"}) {
     fs::create_directory_symlink(kSource / name, folder / name);
   }
@@ -142,6 +149,14 @@ fs::path folder_with_inputs() {
   return folder;
 }
 
+/// A folder with the files that the pages' commands name. They are made once for all pages.
+fs::path folder_with_inputs() {
+  const fs::path folder = fresh_folder();
+  static const fs::path inputs = make_inputs(folder / "inputs");
+  fs::copy(inputs, folder / "page", fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+  return folder / "page";
+}
+
 /// True for commands that use topics which no bag of castaway has.
 bool names_foreign_topics(const std::string& line) {
   return line.find("/vicon/pose") != std::string::npos;
@@ -152,15 +167,12 @@ bool needs_slurm(const std::string& line) {
   return line.find("--slurm") != std::string::npos || line.find("--attach") != std::string::npos;
 }
 
-TEST(DocumentedCommands, AllWork) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "takes minutes with sanitizers; the release build runs it";
-#endif
+class DocumentedCommands : public testing::TestWithParam<std::string> {};
+
+TEST_P(DocumentedCommands, Work) {
   const fs::path folder = folder_with_inputs();
-  const std::vector<Shown> all = shown_commands();
-  ASSERT_GT(all.size(), 50U);
   const bool films = std::system("ffmpeg -version >/dev/null 2>&1") == 0;
-  for (const Shown& shown : all) {
+  for (const Shown& shown : commands_in(kSource / GetParam())) {
     if (names_foreign_topics(shown.arguments) || needs_slurm(shown.arguments)) continue;
     if (!films && shown.arguments.find("--video") != std::string::npos) continue;
     // gate-of-main is the result of another branch, which the page's CI job downloads.
@@ -175,6 +187,10 @@ TEST(DocumentedCommands, AllWork) {
   }
 }
 
+INSTANTIATE_TEST_SUITE_P(Pages, DocumentedCommands, testing::ValuesIn(pages()), page_name);
+
+TEST(DocumentedPages, AreFound) { EXPECT_GT(pages().size(), 20U); }
+
 /// The first code block of a page that begins with these words.
 std::string block_of(const fs::path& page, const std::string& begin) {
   const std::string text = text_of(page);
@@ -184,7 +200,7 @@ std::string block_of(const fs::path& page, const std::string& begin) {
 }
 
 // The complete scenario and world files on the pages.
-TEST(DocumentedCommands, ExamplesOfFilesLoad) {
+TEST(DocumentedPages, HaveExamplesOfFilesThatLoad) {
   const fs::path folder = fresh_folder();
   std::ofstream(folder / "gate.yaml") << block_of(kSource / "docs/ci.md", "name: localizer-gate");
   EXPECT_EQ(castaway(folder, "run gate.yaml --duration 65 --out gate").exit_code, 0);
