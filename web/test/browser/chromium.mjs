@@ -73,9 +73,9 @@ export class Chromium {
     return result.value;
   }
 
-  /** Until the expression is true; throws after 20 s. */
+  /** Until the expression is true; throws after a minute. */
   async until(expression) {
-    for (let tries = 0; tries < 400; ++tries) {
+    for (let tries = 0; tries < 1200; ++tries) {
       if (await this.evaluate(`Boolean(${expression})`)) return;
       await new Promise((resolve) => setTimeout(resolve, 50));
     }
