@@ -1,6 +1,5 @@
 // Runs every command line in a code block of README and docs in a folder with the files that it
 // names. Only placeholders, durations and numbers of runs are replaced.
-#include <cctype>
 #include <regex>
 
 #include "tests/program/program.hpp"
@@ -50,13 +49,6 @@ std::vector<std::string> pages() {
   }
   std::sort(found.begin(), found.end());
   return found;
-}
-
-std::string page_name(const testing::TestParamInfo<std::string>& info) {
-  std::string name = info.param.substr(0, info.param.rfind('.'));
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
 }
 
 std::string replaced(const std::string& text, const std::string& what, const std::string& by) {
@@ -187,7 +179,7 @@ TEST_P(DocumentedCommands, Work) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Pages, DocumentedCommands, testing::ValuesIn(pages()), page_name);
+INSTANTIATE_TEST_SUITE_P(Pages, DocumentedCommands, testing::ValuesIn(pages()), path_name);
 
 TEST(DocumentedPages, AreFound) { EXPECT_GT(pages().size(), 20U); }
 

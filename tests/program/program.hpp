@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -36,6 +37,14 @@ inline std::string suite_and_name(const testing::TestInfo& info) {
   std::string text = std::string(info.test_suite_name()) + "." + info.name();
   for (char& c : text) c = c == '/' ? '.' : c;
   return text;
+}
+
+/// A path without its ending as the name of a test: "lab_scenarios_kidnap".
+inline std::string path_name(const testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param.substr(0, info.param.find('.'));
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
 }
 
 /// An empty folder for the current test.

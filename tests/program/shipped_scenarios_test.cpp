@@ -1,6 +1,5 @@
 // Runs every shipped scenario twice; both runs must give the same bytes.
 #include <algorithm>
-#include <cctype>
 #include <functional>
 #include <map>
 #include <vector>
@@ -24,13 +23,6 @@ std::vector<std::string> scenarios() {
   }
   std::sort(files.begin(), files.end());
   return files;
-}
-
-std::string scenario_name(const testing::TestParamInfo<std::string>& info) {
-  std::string name = info.param.substr(0, info.param.find('.'));
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
 }
 
 /// Hashes of all files of a run except for timing.
@@ -60,7 +52,7 @@ TEST_P(ShippedScenarios, GiveTheSameBytesTwice) {
   EXPECT_EQ(first, hashes(folder / "b"));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedScenarios, testing::ValuesIn(scenarios()), scenario_name);
+INSTANTIATE_TEST_SUITE_P(All, ShippedScenarios, testing::ValuesIn(scenarios()), path_name);
 
 TEST(CheckWorld, PrintsJsonAndTakesPictures) {
   const fs::path folder = fresh_folder();

@@ -20,7 +20,7 @@ def run(lab, scenario, *options, seeds=1):
     return lab.summary([scenario, *NO_PICTURES, *many, *options], out)
 
 
-def of(summary, name, key):
+def value_of(summary, name, key):
     """A figure of a localizer, as "tracking_error_m.mean": of the run, or the mean of the runs."""
     if "figures" in summary:
         return summary["figures"].get(f"{name}.{key}", {}).get("mean")
@@ -30,22 +30,22 @@ def of(summary, name, key):
     return value
 
 
-def error(summary, name):
-    return figure(of(summary, name, "tracking_error_m.mean"), "{:.3f}", " m")
+def error_text(summary, name):
+    return figure(value_of(summary, name, "tracking_error_m.mean"), "{:.3f}", " m")
 
 
-def recovered(summary, name):
+def recovery_text(summary, name):
     """Recovered kidnaps, mean time, error; the error alone without kidnaps."""
     recovery = summary["localizers"][name]["recovery"]
     if recovery["events"] == 0:
-        return error(summary, name)
-    return ", ".join([share(recovery), figure(recovery["time_s"]["mean"], "{:.2f}", " s"), error(summary, name)])
+        return error_text(summary, name)
+    return ", ".join([share(recovery), figure(recovery["time_s"]["mean"], "{:.2f}", " s"), error_text(summary, name)])
 
 
-def slowest(summary, name):
+def recovery_cells(summary, name):
     time = summary["localizers"][name]["recovery"]["time_s"]
     return [share(summary["localizers"][name]["recovery"]), f"{figure(time['mean'], '{:.2f}', ' s')}, {figure(time['max'], '{:.2f}', ' s')}",
-            error(summary, name), percent(of(summary, name, "wrong_lock_share"))]
+            error_text(summary, name), percent(value_of(summary, name, "wrong_lock_share"))]
 
 
 def only(summary):
@@ -56,7 +56,7 @@ def planar_worlds(lab):
     rows = []
     for scenario in PLANAR:
         found = run(lab, scenario, "--set", BOTH)
-        rows.append([f"`{scenario}`", *(recovered(found, name) for name in ["mh_amcl", "mh_amcl-3d"])])
+        rows.append([f"`{scenario}`", *(recovery_text(found, name) for name in ["mh_amcl", "mh_amcl-3d"])])
     return table(["scenario", "`mh_amcl`", "`mh_amcl:3d`"], rows)
 
 
@@ -64,7 +64,7 @@ def people_and_changes(lab):
     rows = []
     for scenario, seeds in CHANGES:
         found = run(lab, scenario, "--set", BOTH, seeds=seeds)
-        cells = [f"{recovered(found, name)}, {percent(of(found, name, 'wrong_lock_share'))}" for name in ["mh_amcl", "mh_amcl-3d"]]
+        cells = [f"{recovery_text(found, name)}, {percent(value_of(found, name, 'wrong_lock_share'))}" for name in ["mh_amcl", "mh_amcl-3d"]]
         rows.append([f"`{scenario}`", *cells])
     return table(["scenario", "`mh_amcl`", "`mh_amcl:3d`"], rows)
 
@@ -74,7 +74,7 @@ def beam_errors(lab):
     for words, options in [("distance to the nearest surface", []),
                            ("distance along the beam", ["--set", "localizers=[{mh_amcl: {mode: 3d, track_by: along_beam}}]"])]:
         found = [run(lab, "car-park/levels-kidnaps", *options, seeds=4), run(lab, "hillside/kidnaps", *options)]
-        rows.append([words, *(recovered(each, only(each)) for each in found)])
+        rows.append([words, *(recovery_text(each, only(each)) for each in found)])
     return table(["particles weighed by", "car park", "hillside"], rows)
 
 
@@ -82,15 +82,15 @@ def kidnaps_on_floors(lab):
     rows = []
     for scenario, seeds in [("car-park/levels-kidnaps", 4), ("mezzanine/kidnaps", 1), ("mezzanine/upstairs", 4)]:
         found = run(lab, scenario, seeds=seeds)
-        rows.append([f"`{scenario}`", "planar", "particles", *slowest(found, only(found))])
+        rows.append([f"`{scenario}`", "planar", "particles", *recovery_cells(found, only(found))])
     for scenario, options in [("car-park/levels-kidnaps", VLP), ("hillside/kidnaps", [])]:
         found = run(lab, scenario, *options, "--set", BELIEFS, seeds=4)
-        rows += [[f"`{scenario}`", "16 layers", words, *slowest(found, name)]
+        rows += [[f"`{scenario}`", "16 layers", words, *recovery_cells(found, name)]
                  for name, words in [("p-climb", "particles"), ("g-climb", "normal distributions")]]
     return table(["scenario", "lidar", "belief", *SLOWEST], rows)
 
 
-def replayed(lab, *options):
+def replay(lab, *options):
     out = f"replay-{len(list(lab.folder.iterdir()))}"
     lab.run(["replay", "levels", "--no-pictures", *options, "--out", out])
     return lab.json_of(f"{out}/summary.json")
@@ -103,15 +103,15 @@ def replays(lab):
     lab.run(["map", "car-park", "--out", "coarse.bt", "--resolution", "0.2"])
     cases = [
         ("the run", lab.json_of("levels/summary.json")),
-        ("replay on `car-park.map3d` from the true start (`--start truth`)", replayed(lab, "--map3d", "car-park.map3d", "--start", "truth")),
+        ("replay on `car-park.map3d` from the true start (`--start truth`)", replay(lab, "--map3d", "car-park.map3d", "--start", "truth")),
         ("the same without the IMU (`--imu-topic none`) from an unknown start, which counts, too",
-         replayed(lab, "--map3d", "car-park.map3d", "--start", "unknown", "--imu-topic", "none")),
+         replay(lab, "--map3d", "car-park.map3d", "--start", "unknown", "--imu-topic", "none")),
         ("replay on `car-park.bt` with voxels of 0.1 m (`--map3d car-park.bt`) from an unknown start",
-         replayed(lab, "--map3d", "car-park.bt", "--start", "unknown")),
+         replay(lab, "--map3d", "car-park.bt", "--start", "unknown")),
         ("the same with voxels of 0.2 m (`castaway map car-park --out car-park.bt --resolution 0.2`)",
-         replayed(lab, "--map3d", "coarse.bt", "--start", "unknown")),
+         replay(lab, "--map3d", "coarse.bt", "--start", "unknown")),
     ]
-    return table(["", *SLOWEST[:3]], [[words, *slowest(found, only(found))[:3]] for words, found in cases])
+    return table(["", *SLOWEST[:3]], [[words, *recovery_cells(found, only(found))[:3]] for words, found in cases])
 
 
 def beliefs(lab):
@@ -130,10 +130,10 @@ def beliefs(lab):
         own = {row["log"]: row for row in logs if row["localizer"] == name}
         rows.append([f"{'particles' if belief == 'particles' else 'normal distributions'}, `{refine}`",
                      *(f"{each['recovered']['count']}, {each['recovery_time_s']['mean']:.2f} s, {each['tracking_m']:.3f} m" for each in told),
-                     recovered(floors, short), *(found(own[log]) for log in ["freiburg-079", "seattle"]), f"{own['seattle']['cpu_mean_ms']:.2f} ms"])
+                     recovery_text(floors, short), *(trials_text(own[log]) for log in ["freiburg-079", "seattle"]), f"{own['seattle']['cpu_mean_ms']:.2f} ms"])
     return table(["belief, refined by", "laboratory", "six people", "car park", "freiburg-079", "seattle", "CPU"], rows)
 
 
-def found(row):
+def trials_text(row):
     trials = sum(row[kind]["trials"] for kind in ["starts", "kidnaps"])
     return f"{sum(row[kind]['recovered'] for kind in ['starts', 'kidnaps'])} of {trials}, {row['tracking_m']:.3f} m"
