@@ -24,10 +24,14 @@ after(async () => {
   live.server.kill('SIGTERM');
 });
 
-/** How many programs of this run there are. */
+/** How many programs of this run there are, among all that descend from its process; others' tests have such programs, too. */
 function programs() {
-  const all = execFileSync('ps', ['-eo', 'args'], {encoding: 'utf8'}).split('\n');
-  return all.filter((line) => line.startsWith(`${kCastaway} serve mh_amcl`)).length;
+  const all = execFileSync('ps', ['-eo', 'pid=,ppid=,args='], {encoding: 'utf8'}).trim().split('\n').map((line) => {
+    const [pid, parent, ...args] = line.trim().split(/\s+/);
+    return {pid: Number(pid), parent: Number(parent), command: args.join(' ')};
+  });
+  const under = (root) => all.filter(({parent}) => parent === root).flatMap((child) => [child, ...under(child.pid)]);
+  return under(live.server.pid).filter(({command}) => command.startsWith(`${kCastaway} serve mh_amcl`)).length;
 }
 const states = () => browser.evaluate(`[...document.querySelectorAll('.card .state')].map(({textContent}) => textContent)`);
 
