@@ -22,6 +22,8 @@ function(castaway_target name)
     target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O${ARGV1}>)
   endif()
   target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  # Collecting the compiler's garbage takes 12 % of its time, and saves a quarter of its memory.
+  target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1000000>)
   target_compile_options(
     ${name} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off
     $<$<BOOL:${CASTAWAY_WERROR}>:-Werror>
