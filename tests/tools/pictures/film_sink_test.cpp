@@ -11,7 +11,7 @@ namespace {
 
 const std::vector<std::string> kNames{"a"};
 
-RosMap small_map() {
+RosMap filmed_map() {
   RosMap map;
   map.width = 20;
   map.height = 10;
@@ -33,7 +33,7 @@ OdometryFrame odometry_at(double t) {
 /// File size of a film of two seconds of a run; 0 if there is none.
 std::uintmax_t film_of(const FilmConfig& config, bool with_truth = true) {
   PictureWorld world;
-  world.map = small_map();
+  world.map = filmed_map();
   FilmSink sink(config, world);
   for (int i = 0; i < 40; ++i) {
     if (i % 4 == 0) sink.on_scan(record_at(0.05 * i, kNames));

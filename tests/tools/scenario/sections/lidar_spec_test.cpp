@@ -46,7 +46,7 @@ TEST(LidarSpec, FewerBeamsKeepTheField) {
   EXPECT_NEAR(lidar_with("beams: 90").angle_increment, 4.0 * kRadians, 1e-12);
 }
 
-std::map<std::string, std::string> described(sim::LidarConfig lidar) {
+std::map<std::string, std::string> lidar_described(sim::LidarConfig lidar) {
   std::vector<SettingText> texts;
   fields(Settings::describing(texts, ""), lidar);
   std::map<std::string, std::string> values;
@@ -56,10 +56,10 @@ std::map<std::string, std::string> described(sim::LidarConfig lidar) {
 
 TEST(LidarSpec, ReadsEveryKeyOfItsNoise) {
   int noises = 0;
-  for (const auto& [key, value] : described({})) {
+  for (const auto& [key, value] : lidar_described({})) {
     if (!key.starts_with("noise.") || key == "noise.glass") continue;
     const sim::LidarConfig lidar = lidar_with("noise: {" + key.substr(6) + ": 0.4321}");
-    EXPECT_EQ(described(lidar)[key], "0.4321") << key;
+    EXPECT_EQ(lidar_described(lidar)[key], "0.4321") << key;
     ++noises;
   }
   EXPECT_EQ(noises, 16);
