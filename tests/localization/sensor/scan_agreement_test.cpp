@@ -64,6 +64,16 @@ void add_beam(ScanPoints& points, double angle, double range) {
   for (auto* v : {&points.z, &points.origin_x, &points.origin_y, &points.origin_z}) v->push_back(0);
 }
 
+/// Moves the points, and the place that they were seen from, in base.
+void move(ScanPoints& points, const Eigen::Vector2d& by) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points.x[i] += static_cast<float>(by.x());
+    points.y[i] += static_cast<float>(by.y());
+    points.origin_x[i] += static_cast<float>(by.x());
+    points.origin_y[i] += static_cast<float>(by.y());
+  }
+}
+
 TEST(ScanAgreement, IsTheSameInEveryDirection) {
   for (int degree = -180; degree <= 180; degree += 1) {
     const double yaw = degree * std::numbers::pi / 180.0;
@@ -77,6 +87,29 @@ TEST(ScanAgreement, IsTheSameInEveryDirection) {
     // 18 of 20 agree with what `before` saw. Of its beams 19 lie between those of `after`; the
     // short ones hide one of them.
     EXPECT_NEAR(scan_agreement({}, before, after, {}).value(), (18.0 + 18.0) / (20.0 + 18.0), 1e-12)
+        << degree;
+  }
+}
+
+/// The lidar stays where it is while base turns about it by a quarter: the counts are those of
+/// beams from its own place.
+TEST(ScanAgreement, IsThatOfTheLidarsPlaceOffBasesOrigin) {
+  const Eigen::Vector2d lidar(-0.2, 0.5);
+  const SE2 turn{0.0, 0.0, 0.5 * std::numbers::pi};
+  const Eigen::Vector2d shift = lidar - turn * lidar;
+  const SE2 T_before_now{shift.x(), shift.y(), 0.5 * std::numbers::pi};
+  for (int degree = -180; degree <= 180; degree += 15) {
+    const double yaw = degree * std::numbers::pi / 180.0;
+    ScanPoints before;
+    ScanPoints now;
+    for (int k = -10; k <= 10; ++k) add_beam(before, yaw + 0.1 * k, 2.0);
+    for (int k = -10; k < 10; ++k) {
+      const double angle = yaw + 0.1 * k + 0.05 - 0.5 * std::numbers::pi;
+      add_beam(now, angle, k == -1 || k == 0 ? 1.0 : 2.0);
+    }
+    move(before, lidar);
+    move(now, lidar);
+    EXPECT_NEAR(scan_agreement({}, before, now, T_before_now).value(), 36.0 / 38.0, 1e-12)
         << degree;
   }
 }

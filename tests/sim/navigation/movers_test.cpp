@@ -111,6 +111,28 @@ TEST(Movers, AreCarriedOnWhileHiddenAndThenForgotten) {
   EXPECT_TRUE(movers.extrapolate(stamp + milliseconds(700)).empty());
 }
 
+/// Beams that hit one leg twice, 40 ms apart, and the other once: each leg counts once, with the
+/// mean of its places and stamps.
+TEST(Movers, CountALegThatIsHitTwiceOnce) {
+  Movers movers;
+  const Eigen::Vector2d v(1.2, -0.5);
+  const Eigen::Vector2d apart(0.04, 0.1);
+  const milliseconds later(40);
+  const auto middle_at = [&](nanoseconds stamp) {
+    return Eigen::Vector2d(std::chrono::duration<double>(stamp).count() * v);
+  };
+  nanoseconds stamp{};
+  for (int i = 0; i < 40; ++i, stamp += kScan) {
+    movers.update({{middle_at(stamp) + apart, stamp},
+                   {middle_at(stamp + later) + apart, stamp + later},
+                   {middle_at(stamp + later / 2) - apart, stamp + later / 2}});
+  }
+  const auto seen = movers.extrapolate(stamp);
+  ASSERT_EQ(seen.size(), 1U);
+  EXPECT_LT((seen[0].velocity - v).norm(), 1e-3);
+  EXPECT_LT((seen[0].p - middle_at(stamp)).norm(), 1e-3);
+}
+
 /// There are never more people than points.
 TEST(Movers, AreNeverMoreThanWhatIsSeen) {
   Rng rng(5);
