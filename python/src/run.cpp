@@ -44,6 +44,7 @@ PlayOptions play_options(const ReadScenario& read, const std::filesystem::path& 
   options.out = out;
   options.force = force;
   options.quiet = true;
+  options.report = testbed::write_report;
   options.warn = [&played](const std::string& warning) { played.warnings.push_back(warning); };
   options.watcher = [] { return std::make_unique<SignalSink>(); };
   return options;

@@ -99,7 +99,7 @@ void make_cells(const CampaignRequest& request, const CampaignSpec& spec,
   outcomes.on_failure = [&](int index, const std::string& reason) {
     take(lost_row(spec, index, reason));
   };
-  PartsOfCells parts;  // Each worker fills its own.
+  PartsOfCells parts{request.report};  // Each worker fills its own.
   const auto work = [&](int index) {
     return work_on_cell(spec, request.out, drafts, parts, index);
   };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tools/cells/finished_campaign.hpp"
+#include "tools/play/report_writer.hpp"
 #include "tools/scenario/campaign_spec.hpp"
 
 namespace castaway::testbed {
@@ -23,6 +24,7 @@ struct CampaignRequest {
   bool json = false;                    ///< Prints summary.json instead of words.
   bool rank = false;                    ///< Ranks the keys, too.
   RenderCampaignPages pages = nullptr;  ///< Of files besides the tables.
+  ReportWriter report{};                ///< Of a cell's run, where the scenario asks for one.
   std::vector<std::string> metrics;     ///< To rank by; empty: `ranked_metrics`.
 };
 

@@ -195,6 +195,7 @@ int make_cell(const CampaignRequest& request, int index) {
   options.out = request.out;
   options.inputs = {request.spec};
   options.json = request.json;
+  options.report = request.report;
   return play(cell.loaded, options);
 }
 

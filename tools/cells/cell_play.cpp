@@ -141,6 +141,7 @@ CellRow play_cell(const CampaignSpec& spec, const CampaignCell& cell, const fs::
   options.quiet = true;
   options.timing = spec.keep == KeepOfCell::kFolder;
   options.worlds = &parts.worlds;
+  options.report = parts.report;
   options.models = {&parts.models, localizers_text(cell)};
   try {
     fs::remove_all(draft);

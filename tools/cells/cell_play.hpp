@@ -5,6 +5,7 @@
 
 #include "tools/cells/campaign_cell.hpp"
 #include "tools/cells/rows/cell_row.hpp"
+#include "tools/play/report_writer.hpp"
 #include "tools/sources/shared_models.hpp"
 #include "tools/sources/shared_worlds.hpp"
 
@@ -12,8 +13,9 @@ namespace castaway::testbed {
 
 /// What the cells of one process have in common.
 struct PartsOfCells {
-  SharedWorlds worlds;
-  SharedModels models;
+  ReportWriter report;  ///< Of a run, where the scenario asks for one.
+  SharedWorlds worlds{};
+  SharedModels models{};
 };
 
 /// Simulates a cell. Its run folder is made as `draft`; what the specification keeps of it is moved

@@ -7,6 +7,7 @@
 #include "tools/cells/slurm_campaign.hpp"
 #include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/report/report.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -64,6 +65,7 @@ int campaign(CampaignArguments arguments) {
   request.spec = arguments.spec;
   request.out = arguments.out;
   request.pages = render_campaign_pages;
+  request.report = write_report;
   request.programs = file_programs(arguments.allow_programs);
   if (!arguments.shard.empty()) parse_shard(arguments.shard, request);
   require_one_way(arguments.slurm, arguments.attach, arguments.collect, arguments.shard,

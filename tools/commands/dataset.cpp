@@ -9,8 +9,10 @@
 #include "tools/commands/commands.hpp"
 #include "tools/dataset/dataset_manifest.hpp"
 #include "tools/dataset/dataset_only.hpp"
+#include "tools/dataset/dataset_pages.hpp"
 #include "tools/files/json_text.hpp"
 #include "tools/output/say.hpp"
+#include "tools/report/report.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -52,6 +54,8 @@ int dataset(DatasetArguments arguments, bool seeded) {
   DatasetRequest& request = arguments.request;
   request.spec = arguments.spec;
   request.out = arguments.out;
+  request.pages = dataset_pages;
+  request.report = write_report;
   if (seeded) request.overrides.seed = arguments.seed;
   request.overrides.programs = file_programs(arguments.allow_programs);
   return arguments.only >= 0 ? make_only(request, arguments.only) : make_dataset(request);

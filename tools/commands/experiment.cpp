@@ -24,6 +24,7 @@
 #include "tools/play/play_runs.hpp"
 #include "tools/play/verdict_output.hpp"
 #include "tools/report/experiment_page.hpp"
+#include "tools/report/report.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 
 namespace castaway::testbed {
@@ -68,6 +69,7 @@ int play_run(const ExperimentRun& run, const RunsFolder& folder, bool force, Sha
   options.silent = true;
   options.quiet = worlds != nullptr;
   options.worlds = worlds;
+  options.report = write_report;
   return play(load(run), options);
 }
 

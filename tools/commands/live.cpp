@@ -31,6 +31,7 @@
 #include "tools/play/play.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/replay/play_replay.hpp"
+#include "tools/report/report.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
 
 namespace castaway::testbed {
@@ -150,6 +151,7 @@ void play_for_report(const LoadedScenario& loaded, const std::filesystem::path& 
   options.base = base;
   options.out = out;
   options.quiet = true;
+  options.report = write_report;
   (void)play_to_the_end(scenario, options);
 }
 
@@ -247,7 +249,9 @@ int run_live(const LiveArguments& arguments) {
   setup.reports = free_live_folder(name_of_live(setup));
   setup.files = setup.reports / "files";
   setup.report = play_for_report;
-  setup.replay = play_replay;
+  setup.replay = [](const ReplaySession& played, const std::filesystem::path& out) {
+    play_replay(played, out, write_report);
+  };
   setup.warn = print_warning;
   LiveServerOptions options = server_options(arguments);
   options.page = live_page(name_of_live(setup));

@@ -17,6 +17,7 @@
 #include "tools/replay/play_replay.hpp"
 #include "tools/replay/recorded_log.hpp"
 #include "tools/replay/replay_session.hpp"
+#include "tools/report/report.hpp"
 #include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {
@@ -175,6 +176,7 @@ int replay_log(const ReplayArguments& arguments) {
   OutputFolder output(request);
   ReplayOutputs outputs = arguments.outputs;
   outputs.bridge = arguments.ros2.bridge();
+  outputs.report = write_report;
   Run run = build_replay(session, log, output.folder(), outputs);
   run.loop.load_s = seconds(wall_time() - begin);
   return execute_and_print(run, output, request.target, {arguments.json});

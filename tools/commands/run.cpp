@@ -17,6 +17,8 @@
 #include "tools/play/play.hpp"
 #include "tools/play/run_seeds.hpp"
 #include "tools/play/verdict_output.hpp"
+#include "tools/report/report.hpp"
+#include "tools/report/runs/runs_page.hpp"
 #include "tools/scenario/sections/expect_spec.hpp"
 
 namespace castaway::testbed {
@@ -106,6 +108,7 @@ int run_once(const RunArguments& arguments) {
   options.video = arguments.video;
   options.json = arguments.json;
   options.bridge = arguments.ros2.bridge();
+  options.report = write_report;
   const int exit_code = play(loaded, options);
   if (exit_code != kDone) return exit_code;
   const int judged = judge_run(arguments, scenario, options.out);
@@ -135,6 +138,8 @@ int run_many(const RunArguments& arguments) {
   request.force = arguments.force;
   request.strict = arguments.strict;
   request.programs = file_programs(arguments.allow_programs);
+  request.report = write_report;
+  request.index = render_runs_page;
   return run_seeds(request);
 }
 

@@ -14,6 +14,8 @@
 #include "tools/output/progress_line.hpp"
 #include "tools/output/say.hpp"
 #include "tools/play/progress.hpp"
+#include "tools/prediction/calibration_page.hpp"
+#include "tools/prediction/place_picture.hpp"
 #include "tools/prediction/predict_logs.hpp"
 #include "tools/prediction/prediction_page.hpp"
 #include "tools/prediction/prediction_tables.hpp"
@@ -49,6 +51,7 @@ std::vector<DifferingPlace> worst_places(const std::vector<LogPrediction>& logs)
 int compare_twins(TwinArguments a) {
   const std::vector<LocalizerSpec> specs = a.localizers.specs({"mh_amcl"});
   a.config.align = parse_align(a.align);
+  a.config.pages = {render_calibration, place_picture};
   validate(a.config.evaluation);
   OutputFolder out({.target = a.out,
                     .made_by = "twin",

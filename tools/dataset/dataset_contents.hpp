@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -45,5 +47,11 @@ double quantile(std::vector<double> values, double q);
 DatasetContents load_contents(const DatasetFolder& folder, const DatasetSpec& spec,
                               const std::vector<std::string>& names,
                               const std::map<std::string, RosMap>& maps);
+
+/// A file beside the sequences: its path relative to the data set's folder, and its bytes.
+using DatasetFile = std::pair<std::string, std::string>;
+
+/// Makes the card (README.md) and the plots of a data set.
+using DatasetPages = std::function<std::vector<DatasetFile>(const DatasetContents&)>;
 
 }  // namespace castaway::testbed

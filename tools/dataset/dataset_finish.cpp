@@ -5,8 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/dataset/dataset_card.hpp"
-#include "tools/dataset/dataset_figures.hpp"
+#include "tools/dataset/sequence_rows.hpp"
 #include "tools/files/file.hpp"
 #include "tools/files/json_text.hpp"
 #include "tools/files/sha256.hpp"
@@ -61,13 +60,13 @@ void append_files(std::vector<DatasetFile> more, std::vector<DatasetFile>& files
 
 }  // namespace
 
-void finish_dataset(const DatasetFolder& folder, const DatasetContents& contents) {
+void finish_dataset(const DatasetFolder& folder, const DatasetContents& contents,
+                    const DatasetPages& pages) {
   std::vector<DatasetFile> files{
-      {"README.md", dataset_card(contents)},
       {"sequences.csv", csv_text(sequence_rows(contents), folder.draft("sequences.csv"))}};
   append_files(split_files(contents), files);
   append_files(map_files(contents, folder.draft("maps")), files);
-  append_files(dataset_plots(contents), files);
+  append_files(pages(contents), files);
   std::vector<ManifestFile> listed = contents.files;
   for (const auto& [path, bytes] : files) {
     if (path == kPlotsPage) {

@@ -7,8 +7,10 @@
 
 namespace castaway::testbed {
 
-/// Writes all files beside the sequences, the manifest last. Throws FileError.
-void finish_dataset(const DatasetFolder& folder, const DatasetContents& contents);
+/// Writes all files beside the sequences, the manifest last; `pages` makes card and plots. Throws
+/// FileError.
+void finish_dataset(const DatasetFolder& folder, const DatasetContents& contents,
+                    const DatasetPages& pages);
 
 /// Figures of the current invocation.
 struct DatasetInvocation {

@@ -22,8 +22,8 @@ int make_only(const DatasetRequest& request, int index) {
   worlds.request_scores(sequence.loaded.scenario);
   try {
     worlds.compute_scores(1);
-    SharedWorlds shared;
-    make_sequence(spec, worlds, sequence, output.folder(), shared);
+    PartsOfSequences parts{request.report};
+    make_sequence(spec, worlds, sequence, output.folder(), parts);
     output.commit();
   } catch (const std::exception& error) {
     throw_if_interrupted();

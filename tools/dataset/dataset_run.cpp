@@ -51,10 +51,10 @@ std::vector<int> missing_sequences(const DatasetFolder& folder, int count) {
 
 /// Makes one sequence, in a worker. Returns nothing, or why it failed.
 std::string make_one(const DatasetSpec& spec, const DatasetWorlds& worlds,
-                     const DatasetFolder& folder, SharedWorlds& shared, int index) {
+                     const DatasetFolder& folder, PartsOfSequences& parts, int index) {
   try {
     const std::string name = sequence_name(index);
-    make_sequence(spec, worlds, sample_sequence(spec, index), folder.draft(name), shared);
+    make_sequence(spec, worlds, sample_sequence(spec, index), folder.draft(name), parts);
     folder.commit_sequence(name);
     return "";
   } catch (const FileError& error) {
@@ -98,8 +98,8 @@ Pass make_sequences(const DatasetSpec& spec, const DatasetWorlds& worlds,
     outcomes.on_result(index, kFailed + sequence_error(spec, sample_sequence(spec, index), reason));
   };
   outcomes.stopped = [&] { return !pass.disk_error.empty(); };
-  SharedWorlds shared;  // Each worker fills its own.
-  const auto work = [&](int index) { return make_one(spec, worlds, folder, shared, index); };
+  PartsOfSequences parts{request.report};  // Each worker fills its own.
+  const auto work = [&](int index) { return make_one(spec, worlds, folder, parts, index); };
   work_through(missing, request.workers, work, outcomes);
   return pass;
 }
@@ -160,7 +160,7 @@ int make_in(const DatasetFolder& folder, const DatasetSpec& spec, DatasetWorlds&
   invocation.wall_s = seconds(wall_time() - begin);
   const DatasetContents contents =
       load_contents(folder, spec, names_of(request.sequences), worlds.maps());
-  finish_dataset(folder, contents);
+  finish_dataset(folder, contents, request.pages);
   print_out("{}", request.json ? dataset_json(folder, contents, invocation)
                                : describe_dataset(folder, contents, invocation));
   return kDone;

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 
+#include "tools/dataset/dataset_contents.hpp"
+#include "tools/play/report_writer.hpp"
 #include "tools/scenario/dataset_spec.hpp"
 
 namespace castaway::testbed {
@@ -15,6 +17,8 @@ struct DatasetRequest {
   int workers = 1;
   std::filesystem::path out;
   bool json = false;
+  DatasetPages pages;   ///< Beside the sequences.
+  ReportWriter report;  ///< Of a sequence's run, where the specification asks for one.
 };
 
 /// Makes the missing sequences of the data set in `out`, finishes the data set and prints a report.

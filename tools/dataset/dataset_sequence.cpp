@@ -39,7 +39,7 @@ Json files_json(const std::filesystem::path& folder) {
 /// Simulates the sequence and returns its metadata and statistics.
 Json play_sequence(const DatasetSpec& spec, const MapScores& scores,
                    const SampledSequence& sequence, const std::filesystem::path& draft,
-                   SharedWorlds& shared) {
+                   PartsOfSequences& parts) {
   SequenceStatistics statistics;
   RunInfo info;
   PlayOptions options;
@@ -48,7 +48,8 @@ Json play_sequence(const DatasetSpec& spec, const MapScores& scores,
   options.keep_list = false;
   options.quiet = true;
   options.timing = false;
-  options.worlds = &shared;
+  options.worlds = &parts.worlds;
+  options.report = parts.report;
   options.scores = std::make_shared<const PlaceScores>(scores.places);
   options.sinks.push_back([&](const RunInfo& built, const auto& labels) {
     info = built;
@@ -76,10 +77,10 @@ Json play_sequence(const DatasetSpec& spec, const MapScores& scores,
 
 void make_sequence(const DatasetSpec& spec, const DatasetWorlds& worlds,
                    const SampledSequence& sequence, const std::filesystem::path& draft,
-                   SharedWorlds& shared) {
+                   PartsOfSequences& parts) {
   try {
     const MapScores& scores = worlds.scores(sequence.loaded.scenario);
-    Json root = play_sequence(spec, scores, sequence, draft, shared);
+    Json root = play_sequence(spec, scores, sequence, draft, parts);
     root["files"] = files_json(draft);
     write_file(draft / "sequence.json", json_text(root) + "\n");
   } catch (const FileError&) {

@@ -4,17 +4,24 @@
 #include <filesystem>
 
 #include "tools/dataset/dataset_worlds.hpp"
+#include "tools/play/report_writer.hpp"
 #include "tools/scenario/dataset_sample.hpp"
 #include "tools/sources/shared_worlds.hpp"
 
 namespace castaway::testbed {
 
+/// What the sequences of one process have in common.
+struct PartsOfSequences {
+  ReportWriter report;  ///< Of a run, where the specification asks for one.
+  SharedWorlds worlds{};
+};
+
 /// Simulates the sequence into `draft` and writes its sequence.json: contents, difficulty and list
 /// of files. The same sequence gives the same bytes. Throws FileError, or a std::exception of one
 /// line, if it cannot be made. Precondition: `worlds` has the scores of the sequence's scenario.
-/// `shared`: of this process.
+/// `parts`: of this process.
 void make_sequence(const DatasetSpec& spec, const DatasetWorlds& worlds,
                    const SampledSequence& sequence, const std::filesystem::path& draft,
-                   SharedWorlds& shared);
+                   PartsOfSequences& parts);
 
 }  // namespace castaway::testbed

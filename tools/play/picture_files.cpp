@@ -121,9 +121,9 @@ std::function<std::vector<sim::SceneItem>()> moving_items(const SimulatorSource&
 }
 
 RunFiles picture_files(const OutputSpec& outputs, const std::filesystem::path& video,
-                       const PreparedSimulation& prepared) {
+                       const ReportWriter& report, const PreparedSimulation& prepared) {
   RunFiles files;
-  files.report = outputs.report;
+  if (outputs.report) files.report = report;
   if (files.report && prepared.config.levels) {
     files.levels = std::make_shared<const LevelMaps>(level_maps(*prepared.config.levels));
   }

@@ -15,9 +15,9 @@
 namespace castaway::testbed {
 
 /// The report and the pictures that `outputs` asks for, and a film into `video` unless that is
-/// empty, with the world that they show.
+/// empty, with the world that they show. `report` writes the page.
 RunFiles picture_files(const OutputSpec& outputs, const std::filesystem::path& video,
-                       const PreparedSimulation& prepared);
+                       const ReportWriter& report, const PreparedSimulation& prepared);
 
 /// What moves in pictures of a run: people, and what its events change. `source` must outlive it;
 /// nothing if nothing moves.

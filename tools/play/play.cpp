@@ -101,7 +101,7 @@ void add_exports(const LoadedScenario& loaded, const PreparedSimulation& prepare
 RunFiles files_of(const PlayOptions& options, const LoadedScenario& loaded,
                   PreparedSimulation& prepared) {
   const Scenario& scenario = loaded.scenario;
-  RunFiles files = picture_files(scenario.outputs, options.video, prepared);
+  RunFiles files = picture_files(scenario.outputs, options.video, options.report, prepared);
   files.timing = options.timing;
   if (has_people(prepared.config)) files.people_every_s = scenario.people.log_every_s;
   add_scan_files(scenario.outputs, prepared, files);

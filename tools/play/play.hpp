@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/play/report_writer.hpp"
 #include "tools/records/scan_row.hpp"
 #include "tools/ros2/bridge_config.hpp"
 #include "tools/run/loop.hpp"
@@ -32,6 +33,7 @@ struct PlayOptions {
   bool silent = false;                          ///< Prints no result.
   bool quiet = false;                     ///< Prints nothing at all: no progress, no warnings.
   std::filesystem::path video{};          ///< Film of the run; empty: none.
+  ReportWriter report{};                  ///< Writes the page, where the scenario asks for one.
   std::optional<BridgeOptions> bridge{};  ///< Lets nodes of ROS 2 look on.
   bool timing = true;                     ///< As in `RunFiles`.
   std::vector<SinkMaker> sinks{};         ///< Further ones.

@@ -2,16 +2,17 @@
 
 #include <utility>
 
-#include "tools/report/report.hpp"
-
 namespace castaway::testbed {
 
-ReportSink::ReportSink(std::filesystem::path run_folder, RosMap map,
+ReportSink::ReportSink(ReportWriter write, std::filesystem::path run_folder, RosMap map,
                        std::shared_ptr<const LevelMaps> levels)
-    : run_folder_(std::move(run_folder)), map_(std::move(map)), levels_(std::move(levels)) {}
+    : write_(std::move(write)),
+      run_folder_(std::move(run_folder)),
+      map_(std::move(map)),
+      levels_(std::move(levels)) {}
 
 void ReportSink::finish(Stamp, const RunTiming&) {
-  write_report(run_folder_, {map_, levels_ ? *levels_ : LevelMaps{}});
+  write_(run_folder_, {map_, levels_ ? *levels_ : LevelMaps{}});
 }
 
 }  // namespace castaway::testbed

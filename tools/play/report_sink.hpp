@@ -4,8 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "tools/formats/level_map.hpp"
-#include "tools/formats/ros_map.hpp"
+#include "tools/play/report_writer.hpp"
 #include "tools/run/run_sink.hpp"
 
 namespace castaway::testbed {
@@ -14,7 +13,7 @@ namespace castaway::testbed {
 class ReportSink final : public RunSink {
  public:
   /// `levels`: null in a run on one floor.
-  ReportSink(std::filesystem::path run_folder, RosMap map,
+  ReportSink(ReportWriter write, std::filesystem::path run_folder, RosMap map,
              std::shared_ptr<const LevelMaps> levels = nullptr);
 
   void on_event(const RunEvent&) override {}
@@ -23,6 +22,7 @@ class ReportSink final : public RunSink {
   void finish(Stamp end, const RunTiming& timing) override;
 
  private:
+  ReportWriter write_;
   std::filesystem::path run_folder_;
   RosMap map_;
   std::shared_ptr<const LevelMaps> levels_;

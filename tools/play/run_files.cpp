@@ -77,7 +77,9 @@ RunSinks build_sinks(const std::filesystem::path& folder, const RunInfo& info, c
     if (pictures->missing()) built.warnings.push_back("no pictures: " + *pictures->missing());
     sinks.push_back(std::move(pictures));
   }
-  if (files.report) sinks.push_back(std::make_unique<ReportSink>(folder, shown, files.levels));
+  if (files.report) {
+    sinks.push_back(std::make_unique<ReportSink>(files.report, folder, shown, files.levels));
+  }
   return built;
 }
 

@@ -13,6 +13,7 @@
 #include "tools/pictures/camera_sink.hpp"
 #include "tools/pictures/film_sink.hpp"
 #include "tools/pictures/picture_sink.hpp"
+#include "tools/play/report_writer.hpp"
 #include "tools/records/scan_row.hpp"
 #include "tools/scene/page_scene.hpp"
 #include "tools/sinks/export_sinks.hpp"
@@ -26,7 +27,7 @@ struct RunFiles {
   std::optional<CameraConfig> camera;     ///< Nothing: none.
   std::map<int, std::string> instances;   ///< Names of the instances in the camera's images.
   PictureWorld picture_world;             ///< What pictures show besides the run.
-  bool report = true;                     ///< report.html
+  ReportWriter report{};                  ///< report.html; empty: none.
   bool player = true;                     ///< The recording for the report's player.
   std::optional<PageScene> scene;         ///< For the player; nothing: no 3-D view.
   double people_every_s = 0.0;            ///< [s] Between rows of people.csv; 0: not written.

@@ -20,7 +20,6 @@
 #include "tools/play/play_runs.hpp"
 #include "tools/play/seeds_summary.hpp"
 #include "tools/play/verdict_output.hpp"
-#include "tools/report/runs/runs_page.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -52,6 +51,7 @@ int play_seed(const SeedsRequest& request, int index, SharedWorlds& worlds) {
   options.force = request.force;
   options.quiet = true;
   options.worlds = &worlds;
+  options.report = request.report;
   return play(load(request, index), options);
 }
 
@@ -156,7 +156,7 @@ std::vector<JudgedRun> done_of(const Outcomes& outcomes) {
 /// index.html shows what the seeds amount to, and leads to their reports.
 void put_index(const SeedsRequest& request, const Outcomes& outcomes,
                const std::vector<Check>& checks, RunsFolder& folder) {
-  RunsPage page{{}, request.out / kIndexName, {}, checks};
+  ShownRuns page{{}, request.out / kIndexName, {}, checks};
   for (int i = 0; i < request.seeds.count; ++i) {
     const Outcome& outcome = outcomes[static_cast<std::size_t>(i)];
     if (outcome.run || outcome.void_because) {
@@ -165,7 +165,7 @@ void put_index(const SeedsRequest& request, const Outcomes& outcomes,
       page.failed_seeds.push_back(seed_of(request, i));
     }
   }
-  if (!page.folders.empty()) folder.put(kIndexName, render_runs_page(page));
+  if (!page.folders.empty()) folder.put(kIndexName, request.index(page));
 }
 
 void write_junit(const SeedsRequest& request, const std::string& scenario, const Outcomes& outcomes,

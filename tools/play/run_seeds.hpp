@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "tools/metrics/expectation.hpp"
+#include "tools/play/report_writer.hpp"
+#include "tools/play/shown_runs.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
 #include "tools/workers/seed_range.hpp"
 
@@ -24,7 +26,9 @@ struct SeedsRequest {
   std::filesystem::path junit;            ///< Empty: none is written.
   bool strict = false;                    ///< As in `WorldChoice`.
   FilePrograms programs = FilePrograms::kRefused;  ///< As in `load_scenario`.
-  bool json = false;  ///< Prints the aggregate summary.json instead of words.
+  bool json = false;         ///< Prints the aggregate summary.json instead of words.
+  ReportWriter report{};     ///< Of each run, where the scenario asks for one.
+  RunsPageRenderer index{};  ///< Renders index.html, likewise.
 };
 
 /// Plays every seed into `out`/seed-<n> and writes the aggregate into `out`: summary.json (`kind`

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "tools/files/file.hpp"
-#include "tools/prediction/calibration_page.hpp"
-#include "tools/prediction/place_picture.hpp"
 #include "tools/prediction/twin_replay.hpp"
 #include "tools/sources/recorded/recorded_source.hpp"
 #include "tools/twin/twin_run.hpp"
@@ -47,7 +45,8 @@ DifferingPlace difference_of(const std::vector<PredictionRow>& rows, std::size_t
 }
 
 /// Sets pose and picture: the first scan on the log and in its twin.
-void show(const TwinPlaces& places, const EvaluationConfig& config, DifferingPlace& place) {
+void show(const TwinPlaces& places, const PredictionConfig& how, DifferingPlace& place) {
+  const EvaluationConfig& config = how.evaluation;
   const std::vector<std::size_t> positions = scan_positions(places.log.frames);
   const int count = place.kidnap ? config.kidnaps : config.starts;
   const std::size_t scan = scan_of_trial(positions.size(), place.index, count);
@@ -55,11 +54,10 @@ void show(const TwinPlaces& places, const EvaluationConfig& config, DifferingPla
   const auto& in_log = std::get<ScanFrame>(places.log.frames.at(position).data);
   const auto& in_twin = std::get<ScanFrame>(places.replays.front().at(position).data);
   place.T_map_base = in_log.T_map_base_true.value_or(SE2{});
-  place.picture = place_picture(places.log.map, place.T_map_base, in_log.scan, in_twin.scan);
+  place.picture = how.pages.place(places.log.map, place.T_map_base, in_log.scan, in_twin.scan);
 }
 
-std::vector<DifferingPlace> differing_places(const TwinPlaces& places,
-                                             const EvaluationConfig& config,
+std::vector<DifferingPlace> differing_places(const TwinPlaces& places, const PredictionConfig& how,
                                              const std::vector<PredictionRow>& rows) {
   std::vector<DifferingPlace> found;
   for (std::size_t i = 0; i < rows.front().trials.size(); ++i) {
@@ -69,7 +67,7 @@ std::vector<DifferingPlace> differing_places(const TwinPlaces& places,
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.apart > b.apart; });
   if (found.size() > kMostPlaces) found.resize(kMostPlaces);
-  for (DifferingPlace& place : found) show(places, config, place);
+  for (DifferingPlace& place : found) show(places, how, place);
   return found;
 }
 
@@ -80,13 +78,13 @@ LogPrediction predict_log(const RecordedPlace& place, const std::vector<Localize
                           const std::function<void()>& on_trial) {
   std::filesystem::create_directories(folder);
   const Twin twin = build_twin(place, config.align, folder);
-  write_file(folder / "calibration.html", render_calibration(twin, place.map));
+  write_file(folder / "calibration.html", config.pages.calibration(twin, place.map));
   const TwinPlaces places = play_twin(place, twin, folder, config.replays);
   LogPrediction prediction;
   for (const LocalizerSpec& spec : localizers) {
     prediction.rows.push_back(predict(places, spec, config.evaluation, on_trial));
   }
-  prediction.places = differing_places(places, config.evaluation, prediction.rows);
+  prediction.places = differing_places(places, config, prediction.rows);
   return prediction;
 }
 

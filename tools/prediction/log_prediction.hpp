@@ -11,8 +11,19 @@
 
 namespace castaway::testbed {
 
+/// Who draws what is found. Pages stand above it.
+struct PredictionPages {
+  /// The page of a twin's calibration; `map`: that of the log.
+  std::function<std::string(const Twin& twin, const RosMap& map)> calibration;
+  /// SVG of the map about a pose, with a scan there in the log and in its twin.
+  std::function<std::string(const RosMap& map, const SE2& T_map_base, const LaserScan& in_log,
+                            const LaserScan& in_twin)>
+      place;
+};
+
 /// Parameters of a prediction.
 struct PredictionConfig {
+  PredictionPages pages;
   EvaluationConfig evaluation;
   AlignBy align = AlignBy::kAuto;
   int replays = 1;  ///< Of each log in its twin.

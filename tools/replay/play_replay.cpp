@@ -19,6 +19,7 @@ namespace {
 
 RunFiles files_of(const RecordedLog& log, const ReplayOutputs& outputs) {
   RunFiles files;
+  files.report = outputs.report;
   files.levels = log.levels;
   if (!outputs.pictures) return files;
   files.pictures = PictureConfig{outputs.pictures_every_s, true, 960, 720};
@@ -64,10 +65,11 @@ Run build_replay(const ReplaySession& session, const RecordedLog& log,
   return run;
 }
 
-void play_replay(const ReplaySession& session, const std::filesystem::path& out) {
+void play_replay(const ReplaySession& session, const std::filesystem::path& out,
+                 const ReportWriter& report) {
   const RecordedLog log = open_log(session);
   OutputFolder output({out, "replay", sha256(emit_yaml(session.tree)), inputs_of(session), false});
-  Run run = build_replay(session, log, output.folder(), {});
+  Run run = build_replay(session, log, output.folder(), {report});
   (void)execute(run, output, true);
 }
 

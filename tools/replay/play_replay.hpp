@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "tools/output/output_folder.hpp"
+#include "tools/play/report_writer.hpp"
 #include "tools/replay/recorded_log.hpp"
 #include "tools/ros2/bridge_config.hpp"
 #include "tools/run/run.hpp"
@@ -13,6 +14,7 @@ namespace castaway::testbed {
 
 /// What a replay writes besides its tables.
 struct ReplayOutputs {
+  ReportWriter report;  ///< Writes the page; empty: none.
   bool pictures = true;
   double pictures_every_s = 0.0;          ///< [s] 0: of kidnaps and recoveries only.
   std::optional<BridgeOptions> bridge{};  ///< Lets nodes of ROS 2 look on.
@@ -27,6 +29,7 @@ Run build_replay(const ReplaySession& session, const RecordedLog& log,
 
 /// Plays a replay into the folder `out`, which must not exist, without a word. Throws
 /// std::exception if it fails.
-void play_replay(const ReplaySession& session, const std::filesystem::path& out);
+void play_replay(const ReplaySession& session, const std::filesystem::path& out,
+                 const ReportWriter& report);
 
 }  // namespace castaway::testbed

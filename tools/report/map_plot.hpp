@@ -1,20 +1,12 @@
 /// Paths on the map as inline SVG, coloured by the error of the localizers.
 #pragma once
 
-#include <optional>
 #include <string>
 
-#include "tools/formats/level_map.hpp"
-#include "tools/formats/ros_map.hpp"
+#include "tools/play/report_writer.hpp"
 #include "tools/report/run_folder.hpp"
 
 namespace castaway::testbed {
-
-/// What paths are drawn on.
-struct ReportMaps {
-  std::optional<RosMap> map;
-  LevelMaps levels{};  ///< Of a run on several floors, drawn in place of the map.
-};
 
 /// A map for each localizer: the true path coloured by its position error, its own path in its
 /// colour, kidnaps with their numbers, and its recoveries. On several floors one for each floor.

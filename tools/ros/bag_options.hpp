@@ -1,13 +1,14 @@
 /// Optional content of a run's bag.
 #pragma once
 
+#include "tools/files/compression.hpp"
 #include "tools/ros/mcap/mcap_records.hpp"
 
 namespace castaway::testbed {
 
 /// Options of a bag.
 struct BagOptions {
-  McapCompression compression = McapCompression::kZstd;
+  Compression compression = Compression::kZstd;
   bool particles = false;  ///< Write all particles of all localizers.
   bool points = true;      ///< Write all layers of 3-D lidars as clouds.
   bool snapshots = false;  ///< Write the run's pictures, if it takes any.

@@ -18,7 +18,7 @@ namespace castaway::testbed {
 class BagWriter final : public TopicWriter {
  public:
   /// Creates `folder` and `<name>.mcap` in it. Throws std::runtime_error on failure.
-  BagWriter(std::filesystem::path folder, const std::string& name, McapCompression compression);
+  BagWriter(std::filesystem::path folder, const std::string& name, Compression compression);
 
   void attach(const std::string& name, const std::string& media_type, std::string data);
   void add_metadata(const std::string& name, const std::map<std::string, std::string>& texts) {

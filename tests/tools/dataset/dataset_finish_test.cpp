@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/tools/support/small_dataset.hpp"
+#include "tools/dataset/dataset_pages.hpp"
 #include "tools/formats/csv.hpp"
 
 namespace castaway::testbed {
@@ -12,7 +13,7 @@ namespace {
 TEST(DatasetFinish, LeavesAllThatStandsBesideTheSequences) {
   const SmallDataset dataset;
   const std::filesystem::path& path = dataset.folder().path();
-  finish_dataset(dataset.folder(), dataset.contents());
+  finish_dataset(dataset.folder(), dataset.contents(), dataset_pages);
   EXPECT_TRUE(dataset.folder().is_finished());
   EXPECT_FALSE(std::filesystem::exists(path / ".work"));
   EXPECT_EQ(read_file(path / "splits/train.txt"), "000001\n000002\n");

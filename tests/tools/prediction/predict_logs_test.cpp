@@ -4,6 +4,8 @@
 
 #include "tests/tools/support/recorded_office.hpp"
 #include "tests/tools/support/temporary.hpp"
+#include "tools/prediction/calibration_page.hpp"
+#include "tools/prediction/place_picture.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
 
 namespace castaway::testbed {
@@ -11,6 +13,7 @@ namespace {
 
 PredictionConfig short_prediction() {
   PredictionConfig config;
+  config.pages = {render_calibration, place_picture};
   config.evaluation.starts = 2;
   config.evaluation.kidnaps = 1;
   config.evaluation.window_s = 4.0;

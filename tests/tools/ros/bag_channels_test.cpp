@@ -14,7 +14,7 @@ namespace {
 /// Topics of a bag, in the order of their channels.
 std::vector<std::string> topics_of(const OptionalTopics& wanted) {
   const TemporaryFolder folder;
-  BagWriter bag(folder.path() / "bag", "a", McapCompression::kNone);
+  BagWriter bag(folder.path() / "bag", "a", Compression::kNone);
   add_channels(wanted, bag);
   bag.finish();
   std::istringstream metadata(read_file(folder.path() / "bag" / "metadata.yaml"));

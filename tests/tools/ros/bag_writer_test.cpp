@@ -18,7 +18,7 @@ TEST(BagWriter, MakesTopicsOfAnyName) {
 
 TEST(BagWriter, NeverLogsBackInTime) {
   const TemporaryFolder folder;
-  BagWriter bag(folder.path() / "bag", "a run", McapCompression::kZstd);
+  BagWriter bag(folder.path() / "bag", "a run", Compression::kZstd);
   const auto topic = bag.add_topic<ros::String>("/a");
   bag.publish(topic, std::chrono::seconds(2), ros::String{"late"});
   bag.publish(topic, std::chrono::seconds(1), ros::String{"early"});
@@ -34,7 +34,7 @@ TEST(BagWriter, NeverLogsBackInTime) {
 
 TEST(BagWriter, HoldsOneSchemaForEachType) {
   const TemporaryFolder folder;
-  BagWriter bag(folder.path() / "bag", "a", McapCompression::kNone);
+  BagWriter bag(folder.path() / "bag", "a", Compression::kNone);
   const auto a = bag.add_topic<ros::String>("/a");
   const auto b = bag.add_topic<ros::String>("/b");
   bag.publish(a, {}, ros::String{"1"});

@@ -6,7 +6,7 @@
 #include "tools/formats/varint.hpp"
 #include "tools/ros/mcap/byte_reader.hpp"
 #include "tools/ros/mcap/byte_writer.hpp"
-#include "tools/ros/mcap/mcap_compression.hpp"
+#include "tools/files/compression.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -142,7 +142,7 @@ std::string encode_map3d(const Map3d& map) {
   std::string inner;
   put_voxels(inner, map.voxels);
   put_ground(inner, map.ground);
-  return std::string(kMap3dHead) + pack_chunk(inner, McapCompression::kZstd);
+  return std::string(kMap3dHead) + pack_chunk(inner, Compression::kZstd);
 }
 
 Map3d decode_map3d(std::string_view bytes, const std::string& name) {

@@ -94,7 +94,7 @@ std::string recoveries_section(const RunSet& set) {
 
 }  // namespace
 
-std::string render_runs_page(const RunsPage& page) {
+std::string render_runs_page(const ShownRuns& page) {
   const RunSet set = load_run_set(page.folders);
   const std::string title = title_of(set);
   const std::string body =
@@ -106,6 +106,6 @@ std::string render_runs_page(const RunsPage& page) {
       {.title = title, .body = body, .body_class = "figures", .bundle = campaign_bundle()});
 }
 
-void write_runs_page(const RunsPage& page) { write_file(page.page, render_runs_page(page)); }
+void write_runs_page(const ShownRuns& page) { write_file(page.page, render_runs_page(page)); }
 
 }  // namespace castaway::testbed

@@ -7,7 +7,7 @@
 #include <zlib.h>
 
 #include "tools/ros/mcap/byte_reader.hpp"
-#include "tools/ros/mcap/mcap_compression.hpp"
+#include "tools/files/compression.hpp"
 
 namespace castaway::testbed {
 namespace {

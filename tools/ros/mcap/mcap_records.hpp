@@ -35,9 +35,6 @@ enum class McapOpcode : std::uint8_t {
 /// Size in bytes of a record's kind and length, which precede its content.
 inline constexpr std::uint64_t kMcapRecordHead = 9;
 
-/// Compression of the chunks of a file.
-enum class McapCompression : std::uint8_t { kNone, kZstd, kLz4 };
-
 /// The type of a channel's messages.
 struct McapSchema {
   std::string name;      ///< Such as "sensor_msgs/msg/LaserScan".

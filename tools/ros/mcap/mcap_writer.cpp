@@ -5,7 +5,7 @@
 
 #include <zlib.h>
 
-#include "tools/ros/mcap/mcap_compression.hpp"
+#include "tools/files/compression.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -120,7 +120,7 @@ void McapWriter::flush_chunk() {
   McapChunkPlace place;
   place.times = chunk_times_;
   place.offset = position_;
-  place.compression = mcap_name_of(options_.compression);
+  place.compression = compression_name(options_.compression);
   place.packed_size = packed.size();
   place.size = chunk_.size();
   std::string bytes;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "tools/files/compression.hpp"
 #include "tools/files/file.hpp"
 #include "tools/ros/mcap/mcap_records.hpp"
 #include "tools/ros/mcap/mcap_summary.hpp"
@@ -17,7 +18,7 @@ namespace castaway::testbed {
 
 /// Options of a file.
 struct McapOptions {
-  McapCompression compression = McapCompression::kZstd;
+  Compression compression = Compression::kZstd;
   std::size_t chunk_bytes =
       1 << 20;  ///< Maximum size of a chunk, unless a single message is larger.
   std::string profile = "ros2";

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/ros/mcap/mcap_compression.hpp"
+#include "tools/files/compression.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "localization/map3d/voxel_builder.hpp"
-#include "tools/ros/mcap/mcap_compression.hpp"
+#include "tools/files/compression.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -56,7 +56,7 @@ TEST(Map3dFile, AMapTooLargeToPrepareIsRefusedBeforeItTakesMemory) {
     return std::string(reinterpret_cast<const char*>(&value), sizeof(value));
   };
   const auto packed = [](const std::string& inner) {
-    return std::string(kMap3dHead) + pack_chunk(inner, McapCompression::kZstd);
+    return std::string(kMap3dHead) + pack_chunk(inner, Compression::kZstd);
   };
   const std::uint64_t voxels = 10'000'001;
   const std::string many = number(0.1) + number(voxels) + number(voxels);
@@ -80,7 +80,7 @@ TEST(Map3dFile, WhatIsNoneIsNamed) {
             "a.map3d: is no 3-D map of this castaway: it does not begin with 'castaway-map3d 1'");
   EXPECT_EQ(map3d_refusal(std::string(kMap3dHead) + "no frame"),
             "a.map3d: its zstd frame is damaged (Unknown frame descriptor)");
-  EXPECT_EQ(map3d_refusal(std::string(kMap3dHead) + pack_chunk("", McapCompression::kZstd)),
+  EXPECT_EQ(map3d_refusal(std::string(kMap3dHead) + pack_chunk("", Compression::kZstd)),
             "a.map3d: ends too early");
 }
 
@@ -96,7 +96,7 @@ TEST(Map3dFile, DamageIsNamedAndNoCrash) {
       std::string bytes = inner;
       bytes[at] = static_cast<char>(bytes[at] ^ flip);
       const std::string answer =
-          map3d_refusal(std::string(kMap3dHead) + pack_chunk(bytes, McapCompression::kZstd));
+          map3d_refusal(std::string(kMap3dHead) + pack_chunk(bytes, Compression::kZstd));
       EXPECT_TRUE(answer == "read" || answer.rfind("a.map3d: ", 0) == 0) << at << ' ' << answer;
     }
   }

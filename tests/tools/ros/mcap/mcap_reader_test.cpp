@@ -11,7 +11,7 @@
 #include "tests/tools/support/mcap_file.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/files/file.hpp"
-#include "tools/ros/mcap/mcap_compression.hpp"
+#include "tools/files/compression.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -34,7 +34,7 @@ std::string read_all(const std::string& bytes) {
   return reader.warning().value_or("");
 }
 
-class McapReaderOf : public testing::TestWithParam<McapCompression> {};
+class McapReaderOf : public testing::TestWithParam<Compression> {};
 
 TEST_P(McapReaderOf, ReadsWhatWasWritten) {
   McapReader reader = reader_of(file_of({GetParam(), 2000, "ros2", "x"}, 50));
@@ -90,10 +90,10 @@ TEST_P(McapReaderOf, SurvivesEveryByteTurnedOver) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, McapReaderOf,
-                         testing::Values(McapCompression::kNone, McapCompression::kZstd,
-                                         McapCompression::kLz4),
+                         testing::Values(Compression::kNone, Compression::kZstd,
+                                         Compression::kLz4),
                          [](const auto& parameter) {
-                           const std::string name = mcap_name_of(parameter.param);
+                           const std::string name = compression_name(parameter.param);
                            return name.empty() ? "none" : name;
                          });
 
@@ -116,7 +116,7 @@ TEST(McapReader, ReadsMessagesOutsideOfChunks) {
 }
 
 TEST(McapReader, NamesFileAndByteOfADamagedChunk) {
-  std::string bytes = file_of({McapCompression::kNone, 2000, "ros2", "x"}, 10);
+  std::string bytes = file_of({Compression::kNone, 2000, "ros2", "x"}, 10);
   const std::size_t at = bytes.find("a3xxx");
   bytes[at + 3] = 'y';
   const std::string error = error_of([&] { read_all(bytes); });
@@ -126,7 +126,7 @@ TEST(McapReader, NamesFileAndByteOfADamagedChunk) {
 }
 
 TEST(McapReader, BelievesNoSize) {
-  std::string bytes = file_of({McapCompression::kZstd, 1 << 20, "ros2", "x"}, 10);
+  std::string bytes = file_of({Compression::kZstd, 1 << 20, "ros2", "x"}, 10);
   std::string huge;
   append_number(huge, std::uint64_t{1} << 62);
   std::string claims_much = bytes;
@@ -170,7 +170,7 @@ TEST(McapReader, SaysThatAFileIsOfAnotherKind) {
 }
 
 TEST(McapReader, NamesACompressionThatItDoesNotKnow) {
-  std::string bytes = file_of({McapCompression::kZstd, 1 << 20, "ros2", "x"}, 3);
+  std::string bytes = file_of({Compression::kZstd, 1 << 20, "ros2", "x"}, 3);
   bytes.replace(bytes.find("zstd"), 4, "snap");
   EXPECT_TRUE(contains(error_of([&] { read_all(bytes); }), "compression 'snap' is not known"));
 }

@@ -55,7 +55,7 @@ TEST(McapWriter, WritesAnEmptyFileByTheBook) {
 TEST(McapWriter, PutsAnIndexOfEachChannelBehindEachChunk) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "a.mcap";
-  write_texts(path, {McapCompression::kNone, 1000, "ros2", "x"}, 10);
+  write_texts(path, {Compression::kNone, 1000, "ros2", "x"}, 10);
   const std::string bytes = read_file(path);
   EXPECT_EQ(kinds_of(bytes, 8),
             (std::vector<int>{0x01, 0x09, 0x06, 0x07, 0x07, 0x06, 0x07, 0x07, 0x0C, 0x0F,  // data
@@ -82,7 +82,7 @@ TEST(McapWriter, SaysWhereItsSummaryIs) {
 TEST(McapWriter, GivesTheSameBytesForTheSameCalls) {
   const TemporaryFolder folder;
   for (const auto compression :
-       {McapCompression::kNone, McapCompression::kZstd, McapCompression::kLz4}) {
+       {Compression::kNone, Compression::kZstd, Compression::kLz4}) {
     write_texts(folder.path() / "a.mcap", {compression}, 100);
     write_texts(folder.path() / "b.mcap", {compression}, 100);
     EXPECT_EQ(read_file(folder.path() / "a.mcap"), read_file(folder.path() / "b.mcap"));
@@ -92,7 +92,7 @@ TEST(McapWriter, GivesTheSameBytesForTheSameCalls) {
 TEST(McapWriter, KeepsChunksWithinTheirSize) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "a.mcap";
-  write_texts(path, {McapCompression::kNone, 5000, "ros2", "x"}, 1000);
+  write_texts(path, {Compression::kNone, 5000, "ros2", "x"}, 1000);
   const std::string bytes = read_file(path);
   int chunks = 0;
   for (const auto& [kind, at] : records_of(bytes, 8)) {

@@ -9,7 +9,7 @@
 
 #include "tests/tools/support/ros_bag.hpp"
 #include "tests/tools/support/temporary.hpp"
-#include "tools/ros/mcap/mcap_compression.hpp"
+#include "tools/files/compression.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -85,7 +85,7 @@ TEST(BagFile, UnpacksMessagesThatAreCompressedOneByOne) {
   {
     HumbleBag bag(path);
     bag.add_topic(1, "/a", "t/msg/A");
-    bag.add(1, 10, pack_chunk(text, McapCompression::kZstd));
+    bag.add(1, 10, pack_chunk(text, Compression::kZstd));
     bag.add(1, 11, std::string("\0\1\0\0plain", 9));
   }
   const auto messages = messages_in(path);
@@ -94,7 +94,7 @@ TEST(BagFile, UnpacksMessagesThatAreCompressedOneByOne) {
   {
     HumbleBag bag(folder.path() / "cut.db3");
     bag.add_topic(1, "/a", "t/msg/A");
-    bag.add(1, 10, pack_chunk(text, McapCompression::kZstd).substr(0, 12));
+    bag.add(1, 10, pack_chunk(text, Compression::kZstd).substr(0, 12));
   }
   EXPECT_TRUE(contains(error_of([&] { messages_in(folder.path() / "cut.db3"); }),
                        "cut.db3: topic /a at 10 ns: its compressed message"));

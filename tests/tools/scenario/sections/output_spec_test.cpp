@@ -67,7 +67,7 @@ TEST(OutputSpec, ReadsFormatsOfOtherTools) {
       "outputs: {bag: {compression: lz4, particles: true, snapshots: true}, carmen: true, kitti: "
       "true, map: true}");
   ASSERT_TRUE(all.bag);
-  EXPECT_EQ(all.bag->compression, McapCompression::kLz4);
+  EXPECT_EQ(all.bag->compression, Compression::kLz4);
   EXPECT_TRUE(all.bag->particles);
   EXPECT_TRUE(all.bag->snapshots);
   EXPECT_TRUE(all.carmen && all.kitti && all.map);
@@ -75,7 +75,7 @@ TEST(OutputSpec, ReadsFormatsOfOtherTools) {
 
 TEST(OutputSpec, ABagMayBeOneWord) {
   ASSERT_TRUE(outputs_of("outputs: {bag: true}").bag);
-  EXPECT_EQ(outputs_of("outputs: {bag: true}").bag->compression, McapCompression::kZstd);
+  EXPECT_EQ(outputs_of("outputs: {bag: true}").bag->compression, Compression::kZstd);
   EXPECT_FALSE(outputs_of("outputs: {bag: false}").bag);
   EXPECT_TRUE(contains(output_refusal("outputs: {bag: {compression: gzip}}"), "gzip"));
   EXPECT_TRUE(contains(output_refusal("outputs: {bag: {particle: true}}"), "particles"));

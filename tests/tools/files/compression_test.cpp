@@ -1,4 +1,4 @@
-#include "tools/ros/mcap/mcap_compression.hpp"
+#include "tools/files/compression.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 namespace castaway::testbed {
 namespace {
 
-class Compression : public testing::TestWithParam<McapCompression> {
+class PackedChunk : public testing::TestWithParam<Compression> {
  protected:
   [[nodiscard]] static std::string text() {
     std::string text;
@@ -16,39 +16,39 @@ class Compression : public testing::TestWithParam<McapCompression> {
   }
 };
 
-TEST_P(Compression, BringsBackWhatItPacked) {
+TEST_P(PackedChunk, BringsBackWhatItPacked) {
   for (const std::string& bytes : {std::string("a"), std::string(1'000'000, 'a'), text()}) {
     const std::string packed = pack_chunk(bytes, GetParam());
-    const UnpackedChunk chunk = unpack_chunk(packed, mcap_name_of(GetParam()), bytes.size());
+    const UnpackedChunk chunk = unpack_chunk(packed, compression_name(GetParam()), bytes.size());
     EXPECT_TRUE(chunk.whole);
     EXPECT_EQ(chunk.bytes, bytes);
   }
 }
 
-TEST_P(Compression, UnpacksTheFrontOfACutFrame) {
+TEST_P(PackedChunk, UnpacksTheFrontOfACutFrame) {
   const std::string bytes = text();
   const std::string packed = pack_chunk(bytes, GetParam());
   const UnpackedChunk chunk = unpack_chunk(packed.substr(0, packed.size() * 9 / 10),
-                                           mcap_name_of(GetParam()), bytes.size());
-  EXPECT_EQ(chunk.whole, GetParam() == McapCompression::kNone);
+                                           compression_name(GetParam()), bytes.size());
+  EXPECT_EQ(chunk.whole, GetParam() == Compression::kNone);
   EXPECT_GT(chunk.bytes.size(), bytes.size() / 3);
   EXPECT_EQ(chunk.bytes, bytes.substr(0, chunk.bytes.size()));
 }
 
-TEST_P(Compression, StopsAtTheMostThatItMayMake) {
+TEST_P(PackedChunk, StopsAtTheMostThatItMayMake) {
   const std::string packed = pack_chunk(std::string(50'000'000, 'a'), GetParam());
-  EXPECT_TRUE(contains(error_of([&] { unpack_chunk(packed, mcap_name_of(GetParam()), 1000); }),
+  EXPECT_TRUE(contains(error_of([&] { unpack_chunk(packed, compression_name(GetParam()), 1000); }),
                        "than the 1000 bytes"));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Compression,
-                         testing::Values(McapCompression::kNone, McapCompression::kZstd,
-                                         McapCompression::kLz4));
+INSTANTIATE_TEST_SUITE_P(All, PackedChunk,
+                         testing::Values(Compression::kNone, Compression::kZstd,
+                                         Compression::kLz4));
 
-TEST(McapCompression, PacksNothingIntoAFrame) {
-  for (const auto compression : {McapCompression::kZstd, McapCompression::kLz4}) {
+TEST(PackedChunk, PacksNothingIntoAFrame) {
+  for (const auto compression : {Compression::kZstd, Compression::kLz4}) {
     const UnpackedChunk chunk =
-        unpack_chunk(pack_chunk("", compression), mcap_name_of(compression), 0);
+        unpack_chunk(pack_chunk("", compression), compression_name(compression), 0);
     EXPECT_EQ(chunk.bytes, "");
     EXPECT_TRUE(chunk.whole);
   }

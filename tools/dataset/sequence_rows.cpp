@@ -1,16 +1,8 @@
-#include "tools/dataset/dataset_figures.hpp"
+#include "tools/dataset/sequence_rows.hpp"
 
-#include <algorithm>
-
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/dataset/coverage_picture.hpp"
-#include "tools/dataset/dataset_plots.hpp"
-#include "tools/dataset/sequence_statistics.hpp"
 #include "tools/files/json_text.hpp"
-#include "tools/formats/json_number.hpp"
-#include "tools/output/file_name.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -44,27 +36,7 @@ std::string cell_of(const Json& value) {
   return json_text(value);
 }
 
-Coverage coverage_of(const DatasetContents& contents, const std::string& world) {
-  Coverage coverage;
-  for (const Json& sequence : contents.sequences) {
-    if (sequence.at("world") != world) continue;
-    for (const Json& cell : sequence.at("statistics").at("coverage")) {
-      coverage[{integer<int>(cell[0]), integer<int>(cell[1])}] += cell[2].get<double>();
-    }
-  }
-  return coverage;
-}
-
 }  // namespace
-
-std::vector<DatasetFile> dataset_plots(const DatasetContents& contents) {
-  std::vector<DatasetFile> files{{kPlotsPage, plots_page(contents)}};
-  for (const auto& [world, map] : contents.maps) {
-    files.emplace_back("plots/coverage-" + file_name_of(world) + ".png",
-                       coverage_png(map, coverage_of(contents, world), kCoverageCell));
-  }
-  return files;
-}
 
 std::vector<std::vector<std::string>> sequence_rows(const DatasetContents& contents) {
   std::vector<std::string> header;

@@ -1,20 +1,21 @@
-/// Compresses and decompresses the chunks of MCAP files.
+/// Compresses and decompresses chunks of files, as MCAP files have them.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 
-#include "tools/ros/mcap/mcap_records.hpp"
-
 namespace castaway::testbed {
 
+/// How a chunk is compressed.
+enum class Compression : std::uint8_t { kNone, kZstd, kLz4 };
+
 /// Name of a compression in a file: "zstd", "lz4", "" for none.
-std::string mcap_name_of(McapCompression compression);
+std::string compression_name(Compression compression);
 
 /// Compresses to one frame of zstd (level 1) or lz4, or copies. Deterministic for a version of the
 /// library.
-std::string pack_chunk(std::string_view bytes, McapCompression compression);
+std::string pack_chunk(std::string_view bytes, Compression compression);
 
 /// Result of unpacking a chunk.
 struct UnpackedChunk {

@@ -1,4 +1,4 @@
-#include "tools/ros/mcap/mcap_compression.hpp"
+#include "tools/files/compression.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -91,14 +91,14 @@ UnpackedChunk unpack_lz4(std::string_view packed, std::uint64_t most) {
 
 }  // namespace
 
-std::string mcap_name_of(McapCompression compression) {
-  if (compression == McapCompression::kNone) return "";
-  return compression == McapCompression::kZstd ? "zstd" : "lz4";
+std::string compression_name(Compression compression) {
+  if (compression == Compression::kNone) return "";
+  return compression == Compression::kZstd ? "zstd" : "lz4";
 }
 
-std::string pack_chunk(std::string_view bytes, McapCompression compression) {
-  if (compression == McapCompression::kNone) return std::string(bytes);
-  return compression == McapCompression::kZstd ? pack_zstd(bytes) : pack_lz4(bytes);
+std::string pack_chunk(std::string_view bytes, Compression compression) {
+  if (compression == Compression::kNone) return std::string(bytes);
+  return compression == Compression::kZstd ? pack_zstd(bytes) : pack_lz4(bytes);
 }
 
 UnpackedChunk unpack_chunk(std::string_view packed, const std::string& compression,

@@ -1,6 +1,6 @@
-#include "tools/dataset/dataset_figures.hpp"
+#include "tools/dataset/sequence_rows.hpp"
 
-#include <map>
+#include <algorithm>
 
 #include <gtest/gtest.h>
 
@@ -9,17 +9,7 @@
 namespace castaway::testbed {
 namespace {
 
-TEST(DatasetFigures, HaveAPageOfPlotsAndAPictureOfEachWorld) {
-  const SmallDataset dataset;
-  std::map<std::string, std::string> plots;
-  for (auto& [path, bytes] : dataset_plots(dataset.contents())) plots[path] = bytes;
-  EXPECT_EQ(plots.size(), 3U);
-  EXPECT_TRUE(contains(plots.at("plots/index.html"), "<h1>Data set small</h1>"));
-  EXPECT_EQ(plots.at("plots/coverage-flat.png").substr(1, 3), "PNG");
-  EXPECT_TRUE(plots.contains("plots/coverage-office.png"));
-}
-
-TEST(DatasetFigures, HaveARowForEverySequence) {
+TEST(SequenceRows, AreOneForEverySequence) {
   const SmallDataset dataset;
   const auto rows = sequence_rows(dataset.contents());
   ASSERT_EQ(rows.size(), 4U);

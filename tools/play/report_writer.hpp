@@ -1,0 +1,23 @@
+/// Who writes the page of a run. Pages stand above what plays runs, so who starts one says it.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "tools/formats/level_map.hpp"
+#include "tools/formats/ros_map.hpp"
+
+namespace castaway::testbed {
+
+/// What paths are drawn on.
+struct ReportMaps {
+  std::optional<RosMap> map;
+  LevelMaps levels{};  ///< Of a run on several floors, drawn in place of the map.
+};
+
+/// Writes the page of a run that is over into its folder.
+using ReportWriter =
+    std::function<void(const std::filesystem::path& run_folder, const ReportMaps& maps)>;
+
+}  // namespace castaway::testbed
