@@ -3,7 +3,7 @@
 # divide them for `tools/check dev`, which runs one third for each commit.
 set(CASTAWAY_TEST_SHARDS 6 CACHE STRING "Processes that the tests of a program share")
 mark_as_advanced(CASTAWAY_TEST_SHARDS)
-set(CASTAWAY_TEST_TIMES ${PROJECT_BINARY_DIR}/test_times)  # What each test took, for tools/slowest_tests.
+set(CASTAWAY_TEST_TIMES ${PROJECT_BINARY_DIR}/test_times)  # What each test took, for scripts/slowest_tests.
 file(MAKE_DIRECTORY ${CASTAWAY_TEST_TIMES})
 
 # With sanitizers a test takes five to ten times as long, and so does its compiling: there, only tests are built and run that go where

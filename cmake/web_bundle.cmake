@@ -85,7 +85,7 @@ set(CASTAWAY_WEB_FILES
   src/view3d/world.js
   src/world_changes.js)
 set(CASTAWAY_WEB_MODULES ${PROJECT_BINARY_DIR}/web)
-set(CASTAWAY_WEB_SOURCE ${PROJECT_SOURCE_DIR}/tools/report/html/web_bundle_none.cpp)
+set(CASTAWAY_WEB_SOURCE ${PROJECT_SOURCE_DIR}/tools/pages/html/web_bundle_none.cpp)
 set(CASTAWAY_HAS_PLAYER OFF CACHE INTERNAL "The build bundles player and plots")
 
 # npm ci, once for every state of the lock file. Sets `failure` to its last words if it fails.

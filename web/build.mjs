@@ -35,7 +35,7 @@ function numbers(name) {
 }
 
 writeFileSync(out, `// Made by web/build.mjs from web/src.
-#include "tools/report/html/web_bundle.hpp"
+#include "tools/pages/html/web_bundle.hpp"
 
 namespace castaway::testbed {
 namespace {

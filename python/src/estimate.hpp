@@ -6,7 +6,7 @@
 #include <pybind11/pybind11.h>
 
 #include "localization/localizer.hpp"
-#include "tools/foreign/protocol/answer.hpp"
+#include "tools/build/foreign/protocol/answer.hpp"
 
 namespace castaway::python {
 

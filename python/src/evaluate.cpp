@@ -5,8 +5,8 @@
 
 #include "python/src/python_localizer.hpp"
 #include "python/src/signals.hpp"
-#include "tools/evaluate/evaluation.hpp"
-#include "tools/files/json_text.hpp"
+#include "tools/base/files/json_text.hpp"
+#include "tools/batch/evaluate/evaluation.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
 
 namespace castaway::python {

@@ -7,8 +7,8 @@
 #include <pybind11/pybind11.h>
 
 #include "localization/map/distance_field.hpp"
-#include "tools/formats/ros_map.hpp"
-#include "tools/sources/map_conversion.hpp"
+#include "tools/base/formats/ros_map.hpp"
+#include "tools/build/map_conversion.hpp"
 
 namespace castaway::python {
 

@@ -10,8 +10,8 @@
 #include "python/src/map.hpp"
 #include "python/src/one_thread.hpp"
 #include "python/src/scan.hpp"
+#include "tools/build/build_localizers.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
-#include "tools/sources/build_localizers.hpp"
 
 namespace castaway::python {
 namespace {

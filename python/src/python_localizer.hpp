@@ -8,8 +8,8 @@
 #include <pybind11/pybind11.h>
 
 #include "localization/localizer.hpp"
-#include "tools/foreign/foreign_config.hpp"
-#include "tools/foreign/protocol/answer.hpp"
+#include "tools/build/foreign/protocol/answer.hpp"
+#include "tools/run/foreign_config.hpp"
 
 namespace castaway::python {
 

@@ -8,10 +8,10 @@
 #include "python/src/python_localizer.hpp"
 #include "python/src/scenario.hpp"
 #include "python/src/signals.hpp"
-#include "tools/output/own_file.hpp"
+#include "tools/base/output/own_file.hpp"
+#include "tools/pages/run/report.hpp"
 #include "tools/play/play.hpp"
 #include "tools/play/verdict_output.hpp"
-#include "tools/report/report.hpp"
 
 namespace castaway::python {
 namespace {

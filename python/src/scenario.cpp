@@ -3,7 +3,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "tools/output/file_name.hpp"
+#include "tools/base/output/file_name.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "tools/run/cpu_clock.hpp"
+#include "tools/base/process/cpu_clock.hpp"
 
 namespace castaway::python {
 

@@ -14,9 +14,9 @@
 #include "python/src/scan.hpp"
 #include "python/src/scenario.hpp"
 #include "sim/casting/surfaces.hpp"
-#include "tools/sources/build_simulation.hpp"
-#include "tools/sources/scan_truth.hpp"
-#include "tools/sources/simulator_source.hpp"
+#include "tools/build/build_simulation.hpp"
+#include "tools/build/scan_truth.hpp"
+#include "tools/build/simulator_source.hpp"
 
 namespace castaway::python {
 namespace {

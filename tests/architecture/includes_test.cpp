@@ -116,7 +116,7 @@ TEST(Includes, YamlAppearsInScenarioOnly) {
 
 TEST(Includes, DdsAppearsInItsFolderOnly) {
   EXPECT_EQ(violations([](const std::string& h) { return starts_with(h, "dds/"); },
-                       [](const std::string& f) { return starts_with(f, "tools/ros2/dds/"); }),
+                       [](const std::string& f) { return starts_with(f, "tools/ros/dds/"); }),
             Names{});
 }
 
@@ -130,15 +130,15 @@ TEST(Includes, PythonAppearsInItsFolderOnly) {
             Names{});
 }
 
-TEST(Includes, RunSinksMetricsAndFormatsLinkWithoutTheSimulator) {
+TEST(Includes, TheLowestFloorsLinkWithoutTheSimulator) {
   EXPECT_EQ(violations(
                 [](const std::string& h) {
-                  return starts_with(h, "sim/") && !starts_with(h, "sim/scene/");  // Plain data.
+                  return starts_with(h, "sim/") && !starts_with(h, "sim/scene/") &&
+                         !starts_with(h, "sim/render/");  // Plain data, and pictures of it.
                 },
                 [](const std::string& f) {
-                  const Names bound = {"tools/run/",     "tools/records/", "tools/sinks/",
-                                       "tools/metrics/", "tools/formats/", "tools/ros/",
-                                       "tools/files/",   "tools/output/",  "tools/report/"};
+                  const Names bound = {"tools/base/", "tools/run/", "tools/ros/", "tools/outputs/",
+                                       "tools/pages/"};
                   return std::none_of(bound.begin(), bound.end(),
                                       [&](const auto& room) { return starts_with(f, room); });
                 }),
@@ -162,30 +162,60 @@ const Layers kSimLayers = {
     {"sim"},
 };
 
+/// Floors of the program from the ground up, and their rooms from the lowest layer up.
 const Layers kToolsLayers = {
-    {"tools/files", "tools/metrics/statistics", "tools/ros2/dds"},
-    {"tools/formats/images", "tools/formats/points", "tools/live/lines", "tools/report/html",
-     "tools/ros/mcap", "tools/run", "tools/scenario/yaml"},
-    {"tools/formats", "tools/ros/storage"},
-    {"tools/formats/volume"},
-    {"tools/metrics", "tools/output", "tools/ros", "tools/scenario/files"},
-    {"tools/campaign", "tools/cluster", "tools/foreign/child", "tools/records", "tools/ros/clouds",
-     "tools/workers"},
-    {"tools/foreign/protocol", "tools/pictures", "tools/scene", "tools/sinks"},
-    {"tools/foreign", "tools/map3d"},
-    {"tools/ros2", "tools/scenario/sections"},
-    {"tools/report", "tools/scenario/localizers", "tools/scenario/world"},
-    {"tools/scenario", "tools/sources", "tools/sources/recorded"},
-    {"tools/inspect", "tools/observation", "tools/report/runs", "tools/sources/bag",
-     "tools/trials"},
-    {"tools/bench", "tools/cells/rows", "tools/evaluate", "tools/play"},
-    {"tools/live/bridge", "tools/replay"},
-    {"tools/alignment", "tools/cells", "tools/dataset", "tools/live"},
-    {"tools/live/server"},
-    {"tools/campaign_page/figures", "tools/twin/fits"},
-    {"tools/campaign_page", "tools/twin/odometry"},
+    // 1. base
+    {"tools/base/files"},
+    {"tools/base/bytes", "tools/base/formats/images", "tools/base/formats/points"},
+    {"tools/base/formats", "tools/base/formats/volume"},
+    {"tools/base/output"},
+    {"tools/base/process"},
+    // 2. run
+    {"tools/run", "tools/run/metrics/statistics"},
+    {"tools/run/metrics"},
+    // 3. ros
+    {"tools/ros/dds", "tools/ros/mcap"},
+    {"tools/ros/storage"},
+    {"tools/ros"},
+    {"tools/ros/clouds"},
+    // 4. outputs
+    {"tools/outputs/records"},
+    {"tools/outputs/pictures", "tools/outputs/sinks"},
+    // 5. scenario
+    {"tools/scenario/yaml"},
+    {"tools/scenario/files"},
+    {"tools/scenario/sections"},
+    {"tools/scenario/localizers", "tools/scenario/world"},
+    {"tools/scenario"},
+    // 6. build
+    {"tools/build/foreign/protocol", "tools/build/map3d", "tools/build/recorded",
+     "tools/build/scene"},
+    {"tools/build/bag", "tools/build/foreign", "tools/build/ros2"},
+    {"tools/build"},
+    // 7. play
+    {"tools/play/inspect", "tools/play/observation"},
+    {"tools/play"},
+    {"tools/play/replay"},
+    // 8. batch
+    {"tools/batch/campaign/rows", "tools/batch/cluster", "tools/batch/compare",
+     "tools/batch/dataset", "tools/batch/trials"},
+    {"tools/batch/bench", "tools/batch/campaign", "tools/batch/evaluate", "tools/batch/seeds"},
+    // 9. twin
+    {"tools/twin/alignment"},
+    {"tools/twin/fits"},
+    {"tools/twin/odometry"},
     {"tools/twin"},
-    {"tools/prediction"},
+    {"tools/twin/prediction"},
+    // 10. pages
+    {"tools/pages/html"},
+    {"tools/pages/campaign/figures", "tools/pages/dataset", "tools/pages/run"},
+    {"tools/pages/runs", "tools/pages/twin"},
+    {"tools/pages/campaign"},
+    // 11. live
+    {"tools/live/lines"},
+    {"tools/live/bridge", "tools/live/server"},
+    {"tools/live"},
+    // 12. commands
     {"tools/commands/arguments"},
     {"tools/commands"},
     {"tools/commands/bench"},
@@ -242,7 +272,7 @@ TEST(Includes, RoomsOfTheSimulatorFormLayers) {
   EXPECT_EQ(against_layers(kSimLayers, "sim/"), Names{});
 }
 
-TEST(Includes, RoomsOfTheToolsFormLayers) {
+TEST(Includes, FloorsOfTheProgramAndTheirRoomsFormLayers) {
   EXPECT_EQ(against_layers(kToolsLayers, "tools/"), Names{});
 }
 
@@ -271,7 +301,7 @@ TEST(Includes, OnlyTheProgramReadsWallClocks) {
   EXPECT_EQ(
       violations(
           [](const std::string& h) { return h == "ctime" || h == "time.h" || h == "sys/time.h"; },
-          [](const std::string& f) { return f == "tools/run/cpu_clock.cpp"; }),
+          [](const std::string& f) { return f == "tools/base/process/cpu_clock.cpp"; }),
       Names{});
 }
 

@@ -2,7 +2,7 @@
 /// unoptimised reference implementation.
 #include <benchmark/benchmark.h>
 
-#include "tools/bench/bench_filters.hpp"
+#include "tools/batch/bench/bench_filters.hpp"
 
 namespace {
 

@@ -4,9 +4,9 @@
 
 #include <numbers>
 
-#include "tools/foreign/library_localizer.hpp"
-#include "tools/foreign/program_localizer.hpp"
-#include "tools/run/cpu_clock.hpp"
+#include "tools/base/process/cpu_clock.hpp"
+#include "tools/build/foreign/library_localizer.hpp"
+#include "tools/build/foreign/program_localizer.hpp"
 
 namespace castaway::testbed {
 namespace {

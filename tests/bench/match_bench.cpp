@@ -4,7 +4,7 @@
 #include "localization/matching/cascade_matcher.hpp"
 #include "localization/paper/paper_cascade.hpp"
 #include "tests/localization/paper/naive_rays.hpp"
-#include "tools/bench/bench_scene.hpp"
+#include "tools/batch/bench/bench_scene.hpp"
 
 namespace {
 

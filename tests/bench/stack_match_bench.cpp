@@ -16,7 +16,7 @@
 #include "localization/geometry/random.hpp"
 #include "localization/matching/stack_matcher.hpp"
 #include "tests/localization/matching/search_case.hpp"
-#include "tools/map3d/map3d_files.hpp"
+#include "tools/build/map3d/map3d_files.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "tests/fuzz/fuzz_input.hpp"
-#include "tools/sources/carmen_source.hpp"
+#include "tools/build/recorded/carmen_source.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace castaway::testbed;

@@ -5,9 +5,9 @@
 
 #include "localization/mh_amcl.hpp"
 #include "tests/fuzz/fuzz_input.hpp"
-#include "tools/formats/images/gray_image.hpp"
-#include "tools/formats/ros_map.hpp"
-#include "tools/sources/map_conversion.hpp"
+#include "tools/base/formats/images/gray_image.hpp"
+#include "tools/base/formats/ros_map.hpp"
+#include "tools/build/map_conversion.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace castaway;

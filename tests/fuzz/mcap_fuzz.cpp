@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "tests/fuzz/fuzz_input.hpp"
+#include "tools/build/bag/bag_reading.hpp"
 #include "tools/ros/bag_topics.hpp"
-#include "tools/sources/bag/bag_reading.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace castaway::testbed;

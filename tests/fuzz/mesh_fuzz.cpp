@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "tests/fuzz/fuzz_input.hpp"
-#include "tools/workers/isolated_meshes.hpp"
+#include "tools/build/isolated_meshes.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace castaway;

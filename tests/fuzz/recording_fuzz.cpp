@@ -4,8 +4,8 @@
 #include <string>
 
 #include "tests/fuzz/fuzz_input.hpp"
-#include "tools/files/gzip.hpp"
-#include "tools/records/recording.hpp"
+#include "tools/base/bytes/gzip.hpp"
+#include "tools/outputs/records/recording.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace castaway::testbed;

@@ -4,7 +4,7 @@
 #include <regex>
 
 #include "tests/program/campaign_files.hpp"
-#include "tools/formats/csv.hpp"
+#include "tools/base/formats/csv.hpp"
 
 namespace castaway::test {
 namespace {

@@ -39,7 +39,7 @@ std::vector<Shown> commands_in(const fs::path& page) {
 /// README and the pages of docs that show commands, from the root.
 std::vector<std::string> pages() {
   std::vector<std::string> found{"README.md"};
-  for (const char* part : {"docs", "docs/theory"}) {  // tools/measure runs those of docs/figures.
+  for (const char* part : {"docs", "docs/theory"}) {  // scripts/measure runs those of docs/figures.
     for (const auto& entry : fs::directory_iterator(kSource / part)) {
       const fs::path& page = entry.path();
       if (page.filename() == "your-localizer.md") continue;  // Tried word by word.

@@ -5,9 +5,9 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/output/say.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/output/say.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/ros/bag_json.hpp"
 #include "tools/ros/bag_topics.hpp"

@@ -4,14 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "tools/base/files/file.hpp"
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/output/output_folder.hpp"
+#include "tools/base/output/say.hpp"
 #include "tools/commands/arguments/log_arguments.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/files/file.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/output/output_folder.hpp"
-#include "tools/output/say.hpp"
-#include "tools/prediction/calibration_lines.hpp"
-#include "tools/prediction/calibration_page.hpp"
+#include "tools/pages/twin/calibration_page.hpp"
+#include "tools/twin/prediction/calibration_lines.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -2,12 +2,12 @@
 #include <memory>
 #include <stdexcept>
 
-#include "tools/campaign_page/campaign_pages.hpp"
-#include "tools/cells/campaign_run.hpp"
-#include "tools/cells/slurm_campaign.hpp"
+#include "tools/batch/campaign/campaign_run.hpp"
+#include "tools/batch/campaign/slurm_campaign.hpp"
 #include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/report/report.hpp"
+#include "tools/pages/campaign/campaign_pages.hpp"
+#include "tools/pages/run/report.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -5,18 +5,18 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/render/renderer.hpp"
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/output/file_name.hpp"
+#include "tools/base/output/own_file.hpp"
+#include "tools/base/output/say.hpp"
+#include "tools/build/build_robot.hpp"
 #include "tools/commands/arguments/robot_arguments.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/inspect/robot_report.hpp"
-#include "tools/inspect/robot_scene.hpp"
-#include "tools/output/file_name.hpp"
-#include "tools/output/own_file.hpp"
-#include "tools/output/say.hpp"
+#include "tools/play/inspect/robot_report.hpp"
+#include "tools/play/inspect/robot_scene.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/sections/joint_states.hpp"
-#include "tools/sources/build_robot.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -7,16 +7,16 @@
 #include "sim/render/renderer.hpp"
 #include "sim/robot/robot_sensors.hpp"
 #include "sim/sensor/lidar_config.hpp"
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/output/file_name.hpp"
+#include "tools/base/output/own_file.hpp"
+#include "tools/base/output/say.hpp"
+#include "tools/build/build_robot.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/inspect/world_report.hpp"
-#include "tools/inspect/world_scene.hpp"
-#include "tools/output/file_name.hpp"
-#include "tools/output/own_file.hpp"
-#include "tools/output/say.hpp"
+#include "tools/play/inspect/world_report.hpp"
+#include "tools/play/inspect/world_scene.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/scenario_file.hpp"
-#include "tools/sources/build_robot.hpp"
 
 namespace castaway::testbed {
 namespace {

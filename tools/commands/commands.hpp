@@ -1,8 +1,8 @@
 /// The subcommands of the program. Each adds itself to the command line and describes its options.
 #pragma once
 
+#include "tools/base/output/exit_code.hpp"
 #include "tools/commands/arguments/command_line.hpp"
-#include "tools/output/exit_code.hpp"
 
 namespace castaway::testbed {
 

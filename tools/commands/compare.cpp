@@ -4,15 +4,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/campaign/comparison.hpp"
+#include "tools/base/bytes/sha256.hpp"
+#include "tools/base/files/file.hpp"
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/output/default_folder.hpp"
+#include "tools/base/output/progress_line.hpp"
+#include "tools/base/output/say.hpp"
+#include "tools/batch/compare/comparison.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/files/file.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/files/sha256.hpp"
-#include "tools/output/default_folder.hpp"
-#include "tools/output/progress_line.hpp"
-#include "tools/output/say.hpp"
-#include "tools/report/comparison_page.hpp"
+#include "tools/pages/run/comparison_page.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -5,14 +5,14 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/output/say.hpp"
+#include "tools/batch/dataset/dataset_manifest.hpp"
+#include "tools/batch/dataset/dataset_only.hpp"
 #include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/dataset/dataset_manifest.hpp"
-#include "tools/dataset/dataset_only.hpp"
-#include "tools/dataset/dataset_pages.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/output/say.hpp"
-#include "tools/report/report.hpp"
+#include "tools/pages/dataset/dataset_pages.hpp"
+#include "tools/pages/run/report.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "tools/output/exit_code.hpp"
+#include "tools/base/output/exit_code.hpp"
 
 namespace castaway::testbed {
 namespace {

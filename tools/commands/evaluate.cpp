@@ -6,19 +6,19 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/formats/figure_text.hpp"
+#include "tools/base/formats/text_table.hpp"
+#include "tools/base/output/progress_line.hpp"
+#include "tools/base/output/say.hpp"
+#include "tools/batch/evaluate/evaluation.hpp"
 #include "tools/commands/arguments/log_arguments.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/evaluate/evaluation.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/formats/figure_text.hpp"
-#include "tools/formats/text_table.hpp"
-#include "tools/metrics/metrics_json.hpp"
-#include "tools/metrics/statistics/intervals.hpp"
-#include "tools/metrics/statistics/statistics.hpp"
-#include "tools/output/progress_line.hpp"
-#include "tools/output/say.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/play/terminal.hpp"
+#include "tools/run/metrics/metrics_json.hpp"
+#include "tools/run/metrics/statistics/intervals.hpp"
+#include "tools/run/metrics/statistics/statistics.hpp"
 #include "tools/scenario/scenario_file.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
 

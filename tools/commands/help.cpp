@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "tools/base/output/say.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/output/say.hpp"
 
 namespace castaway::testbed {
 

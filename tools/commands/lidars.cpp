@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/output/say.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/output/say.hpp"
 #include "tools/scenario/sections/lidar_profile.hpp"
 
 namespace castaway::testbed {

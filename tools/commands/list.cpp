@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/output/say.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/output/say.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/files/file_description.hpp"
 #include "tools/scenario/sections/lidar_profile.hpp"

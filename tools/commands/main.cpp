@@ -5,15 +5,15 @@
 
 #include <fmt/format.h>
 
+#include "tools/base/bytes/utf8.hpp"
+#include "tools/base/files/file_error.hpp"
+#include "tools/base/output/any_error.hpp"
+#include "tools/base/output/interruption.hpp"
+#include "tools/build/isolated_meshes.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/early_end.hpp"
-#include "tools/files/file_error.hpp"
-#include "tools/files/utf8.hpp"
-#include "tools/output/any_error.hpp"
-#include "tools/output/interruption.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/run/localizer_failure.hpp"
-#include "tools/workers/isolated_meshes.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "tools/base/output/own_file.hpp"
+#include "tools/base/output/say.hpp"
 #include "tools/commands/arguments/robot_arguments.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/observation/observation_picture.hpp"
-#include "tools/observation/observed_scenario.hpp"
-#include "tools/output/own_file.hpp"
-#include "tools/output/say.hpp"
+#include "tools/play/observation/observation_picture.hpp"
+#include "tools/play/observation/observed_scenario.hpp"
 #include "tools/play/terminal.hpp"
 
 namespace castaway::testbed {

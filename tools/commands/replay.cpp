@@ -6,19 +6,19 @@
 
 #include <fmt/format.h>
 
+#include "tools/base/bytes/sha256.hpp"
+#include "tools/base/output/default_folder.hpp"
+#include "tools/base/process/cpu_clock.hpp"
 #include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/arguments/recording_arguments.hpp"
 #include "tools/commands/arguments/ros2_arguments.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/files/sha256.hpp"
-#include "tools/output/default_folder.hpp"
+#include "tools/pages/run/report.hpp"
 #include "tools/play/execute.hpp"
+#include "tools/play/replay/play_replay.hpp"
+#include "tools/play/replay/recorded_log.hpp"
+#include "tools/play/replay/replay_session.hpp"
 #include "tools/play/terminal.hpp"
-#include "tools/replay/play_replay.hpp"
-#include "tools/replay/recorded_log.hpp"
-#include "tools/replay/replay_session.hpp"
-#include "tools/report/report.hpp"
-#include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/campaign/comparison.hpp"
+#include "tools/base/formats/json_file.hpp"
+#include "tools/base/output/own_file.hpp"
+#include "tools/base/output/say.hpp"
+#include "tools/batch/compare/comparison.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/formats/json_file.hpp"
-#include "tools/output/own_file.hpp"
-#include "tools/output/say.hpp"
-#include "tools/report/report.hpp"
-#include "tools/report/runs/runs_page.hpp"
+#include "tools/pages/run/report.hpp"
+#include "tools/pages/runs/runs_page.hpp"
 
 namespace castaway::testbed {
 namespace {

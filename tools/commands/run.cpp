@@ -5,20 +5,20 @@
 
 #include <fmt/format.h>
 
+#include "tools/base/bytes/sha256.hpp"
+#include "tools/base/files/attempts.hpp"
+#include "tools/base/output/default_folder.hpp"
+#include "tools/base/output/own_file.hpp"
+#include "tools/batch/seeds/run_seeds.hpp"
 #include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/arguments/ros2_arguments.hpp"
 #include "tools/commands/arguments/scenario_arguments.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/files/attempts.hpp"
-#include "tools/files/sha256.hpp"
-#include "tools/metrics/void_run.hpp"
-#include "tools/output/default_folder.hpp"
-#include "tools/output/own_file.hpp"
+#include "tools/pages/run/report.hpp"
+#include "tools/pages/runs/runs_page.hpp"
 #include "tools/play/play.hpp"
-#include "tools/play/run_seeds.hpp"
 #include "tools/play/verdict_output.hpp"
-#include "tools/report/report.hpp"
-#include "tools/report/runs/runs_page.hpp"
+#include "tools/run/metrics/void_run.hpp"
 #include "tools/scenario/sections/expect_spec.hpp"
 
 namespace castaway::testbed {

@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "tools/base/bytes/utf8.hpp"
+#include "tools/base/output/exit_code.hpp"
+#include "tools/build/build_localizers.hpp"
+#include "tools/build/foreign/protocol/message.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/files/utf8.hpp"
-#include "tools/foreign/protocol/message.hpp"
-#include "tools/output/exit_code.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
-#include "tools/sources/build_localizers.hpp"
 
 namespace castaway::testbed {
 namespace {

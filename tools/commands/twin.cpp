@@ -6,20 +6,20 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/base/files/file.hpp"
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/output/output_folder.hpp"
+#include "tools/base/output/progress_line.hpp"
+#include "tools/base/output/say.hpp"
 #include "tools/commands/arguments/log_arguments.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/files/file.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/output/output_folder.hpp"
-#include "tools/output/progress_line.hpp"
-#include "tools/output/say.hpp"
+#include "tools/pages/twin/calibration_page.hpp"
+#include "tools/pages/twin/place_picture.hpp"
+#include "tools/pages/twin/prediction_page.hpp"
 #include "tools/play/progress.hpp"
-#include "tools/prediction/calibration_page.hpp"
-#include "tools/prediction/place_picture.hpp"
-#include "tools/prediction/predict_logs.hpp"
-#include "tools/prediction/prediction_page.hpp"
-#include "tools/prediction/prediction_tables.hpp"
 #include "tools/scenario/scenario_file.hpp"
+#include "tools/twin/prediction/predict_logs.hpp"
+#include "tools/twin/prediction/prediction_tables.hpp"
 
 namespace castaway::testbed {
 namespace {

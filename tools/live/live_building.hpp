@@ -3,9 +3,9 @@
 
 #include <memory>
 
+#include "tools/build/shared_worlds.hpp"
 #include "tools/live/live_play.hpp"
 #include "tools/live/live_player.hpp"
-#include "tools/sources/shared_worlds.hpp"
 
 namespace castaway::testbed {
 

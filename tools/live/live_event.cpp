@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "localization/geometry/stamp.hpp"
-#include "tools/files/json_text.hpp"
+#include "tools/base/files/json_text.hpp"
 #include "tools/scenario/sections/event_list.hpp"
 
 namespace castaway::testbed {

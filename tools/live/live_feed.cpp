@@ -7,11 +7,11 @@
 #include "localization/geometry/stamp.hpp"
 #include "sim/world/door.hpp"
 #include "sim/world/footprint.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/records/recording.hpp"
-#include "tools/records/recording_blocks.hpp"
-#include "tools/records/recording_header.hpp"
-#include "tools/report/html/html.hpp"
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/formats/html.hpp"
+#include "tools/outputs/records/recording.hpp"
+#include "tools/outputs/records/recording_blocks.hpp"
+#include "tools/outputs/records/recording_header.hpp"
 
 namespace castaway::testbed {
 namespace {

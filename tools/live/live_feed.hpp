@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/world/world_spec.hpp"
-#include "tools/formats/level_map.hpp"
-#include "tools/formats/ros_map.hpp"
+#include "tools/base/formats/level_map.hpp"
+#include "tools/base/formats/ros_map.hpp"
 #include "tools/run/run_sink.hpp"
 
 namespace castaway::testbed {

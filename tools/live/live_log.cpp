@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/build/build_localizers.hpp"
+#include "tools/build/ros2/bridge_messages.hpp"
 #include "tools/live/live_event.hpp"
-#include "tools/replay/splice_target.hpp"
-#include "tools/ros2/bridge_messages.hpp"
-#include "tools/sources/build_localizers.hpp"
+#include "tools/play/replay/splice_target.hpp"
 
 namespace castaway::testbed {
 namespace {

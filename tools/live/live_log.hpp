@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tools/live/live_play.hpp"
-#include "tools/replay/recorded_log.hpp"
+#include "tools/play/replay/recorded_log.hpp"
 #include "tools/ros/topic_writer.hpp"
 #include "tools/run/loop.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
-#include "tools/report/html/html.hpp"
-#include "tools/report/html/html_page.hpp"
-#include "tools/report/html/web_bundle.hpp"
+#include "tools/base/formats/html.hpp"
+#include "tools/pages/html/html_page.hpp"
+#include "tools/pages/html/web_bundle.hpp"
 
 namespace castaway::testbed {
 

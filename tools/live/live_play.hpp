@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "sim/world/world_spec.hpp"
-#include "tools/formats/level_map.hpp"
-#include "tools/formats/ros_map.hpp"
+#include "tools/base/formats/level_map.hpp"
+#include "tools/base/formats/ros_map.hpp"
 #include "tools/run/run_sink.hpp"
 
 namespace castaway::testbed {

@@ -14,7 +14,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/files/json_text.hpp"
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/output/any_error.hpp"
+#include "tools/base/output/file_name.hpp"
+#include "tools/base/process/cpu_clock.hpp"
 #include "tools/live/checkpoints.hpp"
 #include "tools/live/lines/live_line.hpp"
 #include "tools/live/live_building.hpp"
@@ -24,9 +27,6 @@
 #include "tools/live/live_loading.hpp"
 #include "tools/live/live_report.hpp"
 #include "tools/live/live_trial.hpp"
-#include "tools/output/any_error.hpp"
-#include "tools/output/file_name.hpp"
-#include "tools/run/cpu_clock.hpp"
 #include "tools/scenario/localizers/ros2_spec.hpp"
 
 namespace castaway::testbed {

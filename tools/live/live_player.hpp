@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "tools/live/bridge/bridge_link.hpp"
-#include "tools/replay/replay_session.hpp"
+#include "tools/play/replay/replay_session.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
 namespace castaway::testbed {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tools/base/output/any_error.hpp"
 #include "tools/live/lines/pipes.hpp"
-#include "tools/output/any_error.hpp"
 
 namespace castaway::testbed {
 namespace {

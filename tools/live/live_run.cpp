@@ -3,16 +3,16 @@
 #include <utility>
 
 #include "localization/geometry/stamp.hpp"
-#include "tools/map3d/level_maps.hpp"
-#include "tools/map3d/run_volume.hpp"
-#include "tools/ros2/bridge_messages.hpp"
+#include "tools/build/build_localizers.hpp"
+#include "tools/build/build_robot.hpp"
+#include "tools/build/build_sensors.hpp"
+#include "tools/build/build_simulation.hpp"
+#include "tools/build/map3d/level_maps.hpp"
+#include "tools/build/map3d/run_volume.hpp"
+#include "tools/build/ros2/bridge_messages.hpp"
+#include "tools/build/scan_truth.hpp"
+#include "tools/build/scene/visible_scene.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
-#include "tools/scene/visible_scene.hpp"
-#include "tools/sources/build_localizers.hpp"
-#include "tools/sources/build_robot.hpp"
-#include "tools/sources/build_sensors.hpp"
-#include "tools/sources/build_simulation.hpp"
-#include "tools/sources/scan_truth.hpp"
 
 namespace castaway::testbed {
 namespace {

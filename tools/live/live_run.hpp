@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "tools/build/scene/page_scene.hpp"
+#include "tools/build/shared_worlds.hpp"
+#include "tools/build/simulator_source.hpp"
 #include "tools/live/live_event.hpp"
 #include "tools/live/live_play.hpp"
 #include "tools/ros/topic_writer.hpp"
 #include "tools/run/loop.hpp"
 #include "tools/scenario/scenario_file.hpp"
-#include "tools/scene/page_scene.hpp"
-#include "tools/sources/shared_worlds.hpp"
-#include "tools/sources/simulator_source.hpp"
 
 namespace castaway::testbed {
 

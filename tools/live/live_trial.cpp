@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "tools/base/output/any_error.hpp"
+#include "tools/base/process/cpu_clock.hpp"
 #include "tools/live/lines/pipes.hpp"
-#include "tools/output/any_error.hpp"
-#include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {
 namespace {

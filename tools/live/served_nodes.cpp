@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/files/json_text.hpp"
+#include "tools/base/files/json_text.hpp"
 #include "tools/scenario/localizers/ros2_spec.hpp"
 #include "tools/scenario/localizers/yaml_json.hpp"
 

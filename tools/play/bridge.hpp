@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tools/ros2/bridge_config.hpp"
+#include "tools/build/ros2/bridge_config.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 
 namespace castaway::testbed {

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "tools/files/attempts.hpp"
-#include "tools/files/file.hpp"
-#include "tools/output/any_error.hpp"
-#include "tools/output/exit_code.hpp"
-#include "tools/output/say.hpp"
+#include "tools/base/files/attempts.hpp"
+#include "tools/base/files/file.hpp"
+#include "tools/base/output/any_error.hpp"
+#include "tools/base/output/exit_code.hpp"
+#include "tools/base/output/say.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/play/run_summary.hpp"
 

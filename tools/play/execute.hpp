@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/output/output_folder.hpp"
+#include "tools/base/output/output_folder.hpp"
 #include "tools/run/run.hpp"
 
 namespace castaway::testbed {

@@ -7,8 +7,8 @@
 #include "sim/map/level_plane.hpp"
 #include "sim/scene/bounds.hpp"
 #include "sim/world/world_visuals.hpp"
-#include "tools/map3d/level_maps.hpp"
-#include "tools/scene/visible_scene.hpp"
+#include "tools/build/map3d/level_maps.hpp"
+#include "tools/build/scene/visible_scene.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "tools/build/build_simulation.hpp"
+#include "tools/build/simulator_source.hpp"
 #include "tools/play/run_files.hpp"
 #include "tools/scenario/sections/scenario.hpp"
-#include "tools/sources/build_simulation.hpp"
-#include "tools/sources/simulator_source.hpp"
 
 namespace castaway::testbed {
 

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "tools/build/build_localizers.hpp"
+#include "tools/build/ros2/bridge_config.hpp"
+#include "tools/build/shared_worlds.hpp"
+#include "tools/outputs/records/scan_row.hpp"
 #include "tools/play/report_writer.hpp"
-#include "tools/records/scan_row.hpp"
-#include "tools/ros2/bridge_config.hpp"
 #include "tools/run/loop.hpp"
 #include "tools/scenario/scenario_file.hpp"
-#include "tools/sources/build_localizers.hpp"
-#include "tools/sources/shared_worlds.hpp"
 
 namespace castaway::testbed {
 

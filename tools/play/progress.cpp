@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "localization/geometry/stamp.hpp"
-#include "tools/output/interruption.hpp"
-#include "tools/output/progress_line.hpp"
-#include "tools/run/cpu_clock.hpp"
-#include "tools/workers/progress_text.hpp"
+#include "tools/base/output/interruption.hpp"
+#include "tools/base/output/progress_line.hpp"
+#include "tools/base/process/cpu_clock.hpp"
+#include "tools/base/process/progress_text.hpp"
 
 namespace castaway::testbed {
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <optional>
 
-#include "tools/formats/level_map.hpp"
-#include "tools/formats/ros_map.hpp"
+#include "tools/base/formats/level_map.hpp"
+#include "tools/base/formats/ros_map.hpp"
 
 namespace castaway::testbed {
 

@@ -2,17 +2,17 @@
 
 #include <utility>
 
+#include "tools/outputs/sinks/errors_sink.hpp"
+#include "tools/outputs/sinks/people_sink.hpp"
+#include "tools/outputs/sinks/points_sink.hpp"
+#include "tools/outputs/sinks/recording_sink.hpp"
+#include "tools/outputs/sinks/scans_sink.hpp"
+#include "tools/outputs/sinks/summary_sink.hpp"
+#include "tools/outputs/sinks/tables_csv_sink.hpp"
+#include "tools/outputs/sinks/tables_hdf5_sink.hpp"
+#include "tools/outputs/sinks/timing_sink.hpp"
+#include "tools/outputs/sinks/trajectory_sink.hpp"
 #include "tools/play/report_sink.hpp"
-#include "tools/sinks/errors_sink.hpp"
-#include "tools/sinks/people_sink.hpp"
-#include "tools/sinks/points_sink.hpp"
-#include "tools/sinks/recording_sink.hpp"
-#include "tools/sinks/scans_sink.hpp"
-#include "tools/sinks/summary_sink.hpp"
-#include "tools/sinks/tables_csv_sink.hpp"
-#include "tools/sinks/tables_hdf5_sink.hpp"
-#include "tools/sinks/timing_sink.hpp"
-#include "tools/sinks/trajectory_sink.hpp"
 
 namespace castaway::testbed {
 namespace {

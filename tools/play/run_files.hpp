@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "tools/formats/level_map.hpp"
-#include "tools/pictures/camera_sink.hpp"
-#include "tools/pictures/film_sink.hpp"
-#include "tools/pictures/picture_sink.hpp"
+#include "tools/base/formats/level_map.hpp"
+#include "tools/build/scene/page_scene.hpp"
+#include "tools/outputs/pictures/camera_sink.hpp"
+#include "tools/outputs/pictures/film_sink.hpp"
+#include "tools/outputs/pictures/picture_sink.hpp"
+#include "tools/outputs/records/scan_row.hpp"
+#include "tools/outputs/sinks/export_sinks.hpp"
 #include "tools/play/report_writer.hpp"
-#include "tools/records/scan_row.hpp"
-#include "tools/scene/page_scene.hpp"
-#include "tools/sinks/export_sinks.hpp"
 
 namespace castaway::testbed {
 

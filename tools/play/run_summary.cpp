@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/files/file.hpp"
-#include "tools/formats/figure_text.hpp"
-#include "tools/formats/json_file.hpp"
-#include "tools/formats/json_number.hpp"
-#include "tools/formats/text_table.hpp"
-#include "tools/metrics/void_run.hpp"
-#include "tools/output/progress_line.hpp"
+#include "tools/base/bytes/json_number.hpp"
+#include "tools/base/files/file.hpp"
+#include "tools/base/formats/figure_text.hpp"
+#include "tools/base/formats/json_file.hpp"
+#include "tools/base/formats/text_table.hpp"
+#include "tools/base/output/progress_line.hpp"
+#include "tools/outputs/records/failed_localizers.hpp"
 #include "tools/play/terminal.hpp"
-#include "tools/records/failed_localizers.hpp"
+#include "tools/run/metrics/void_run.hpp"
 
 namespace castaway::testbed {
 namespace {

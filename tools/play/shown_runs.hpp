@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/metrics/verdict.hpp"
+#include "tools/run/metrics/verdict.hpp"
 
 namespace castaway::testbed {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/files/utf8.hpp"
+#include "tools/base/bytes/utf8.hpp"
 
 namespace castaway::testbed {
 

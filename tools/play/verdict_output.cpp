@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/formats/json_file.hpp"
-#include "tools/formats/json_number.hpp"
-#include "tools/output/exit_code.hpp"
+#include "tools/base/bytes/json_number.hpp"
+#include "tools/base/formats/json_file.hpp"
+#include "tools/base/output/exit_code.hpp"
 
 namespace castaway::testbed {
 namespace {

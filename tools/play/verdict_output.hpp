@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/formats/junit.hpp"
-#include "tools/metrics/verdict.hpp"
+#include "tools/base/formats/junit.hpp"
+#include "tools/run/metrics/verdict.hpp"
 
 namespace castaway::testbed {
 

@@ -1,7 +1,7 @@
 /// Optional content of a run's bag.
 #pragma once
 
-#include "tools/files/compression.hpp"
+#include "tools/base/bytes/compression.hpp"
 #include "tools/ros/mcap/mcap_records.hpp"
 
 namespace castaway::testbed {

@@ -5,8 +5,7 @@
 #include "tools/ros/bag_channels.hpp"
 
 namespace castaway::testbed {
-BagWriter::BagWriter(std::filesystem::path folder, const std::string& name,
-                     Compression compression)
+BagWriter::BagWriter(std::filesystem::path folder, const std::string& name, Compression compression)
     : folder_(std::move(folder)),
       file_(topic_part(name) + ".mcap"),
       mcap_(folder_ / file_, {compression, 1 << 20, "ros2", "castaway " CASTAWAY_VERSION}) {}

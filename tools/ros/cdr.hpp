@@ -14,7 +14,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "tools/ros/mcap/byte_writer.hpp"
+#include "tools/base/bytes/byte_writer.hpp"
 
 namespace castaway::testbed {
 

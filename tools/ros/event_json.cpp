@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/files/json_text.hpp"
-#include "tools/formats/json_file.hpp"
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/formats/json_file.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "tools/formats/ros_map.hpp"
+#include "tools/base/formats/ros_map.hpp"
 #include "tools/ros/ros_sensor.hpp"
 #include "tools/run/frame.hpp"
 

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tools/files/attempts.hpp"
-#include "tools/run/cpu_clock.hpp"
+#include "tools/base/files/attempts.hpp"
+#include "tools/base/process/cpu_clock.hpp"
 
 namespace castaway::testbed {
 

@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "tools/base/process/seed_range.hpp"
 #include "tools/scenario/base_scenario.hpp"
 #include "tools/scenario/sections/expect_spec.hpp"
 #include "tools/scenario/sections/name_spec.hpp"
-#include "tools/workers/seed_range.hpp"
 
 namespace castaway::testbed {
 namespace {

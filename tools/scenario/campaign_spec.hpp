@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/metrics/expectation.hpp"
+#include "tools/run/metrics/expectation.hpp"
 #include "tools/scenario/draw_spec.hpp"
 #include "tools/scenario/localizers/foreign_spec.hpp"
 #include "tools/scenario/sample_design.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "tools/output/file_name.hpp"
+#include "tools/base/output/file_name.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
 
 namespace castaway::testbed {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/files/file.hpp"
+#include "tools/base/files/file.hpp"
 #include "tools/twin/trial_settings.hpp"
 #include "tools/twin/twin_folder.hpp"
 #include "tools/twin/twin_run.hpp"

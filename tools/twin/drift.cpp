@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tools/alignment/motion_samples.hpp"
+#include "tools/twin/alignment/motion_samples.hpp"
 #include "tools/twin/twin_text.hpp"
 
 namespace castaway::testbed {

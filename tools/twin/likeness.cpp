@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "localization/mh_amcl_models.hpp"
-#include "tools/alignment/expected_scan.hpp"
+#include "tools/twin/alignment/expected_scan.hpp"
 #include "tools/twin/drift.hpp"
 
 namespace castaway::testbed {

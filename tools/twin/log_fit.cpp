@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/alignment/seen_building.hpp"
-#include "tools/sources/map_conversion.hpp"
+#include "tools/build/map_conversion.hpp"
+#include "tools/twin/alignment/seen_building.hpp"
 #include "tools/twin/fits/wall_fit.hpp"
 
 namespace castaway::testbed {

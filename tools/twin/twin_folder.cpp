@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "tools/files/file.hpp"
-#include "tools/files/json_text.hpp"
+#include "tools/base/files/file.hpp"
+#include "tools/base/files/json_text.hpp"
 #include "tools/twin/fits/wall_fit.hpp"
 #include "tools/twin/twin_run.hpp"
 #include "tools/twin/twin_text.hpp"
@@ -11,7 +11,7 @@
 namespace castaway::testbed {
 namespace {
 
-nlohmann::ordered_json to_json(const LikeSamples& samples) {
+nlohmann::ordered_json samples_json(const LikeSamples& samples) {
   return {{"name", samples.name},
           {"unit", samples.unit},
           {"log_median", percentile(samples.log, 0.5)},
@@ -63,7 +63,7 @@ nlohmann::ordered_json to_json(const Twin& twin) {
   json["people"] = to_json(twin.people);
   json["likeness"] = nlohmann::ordered_json::array();
   for (const LikeSamples& samples : twin.likeness.samples)
-    json["likeness"].push_back(to_json(samples));
+    json["likeness"].push_back(samples_json(samples));
   return json;
 }
 

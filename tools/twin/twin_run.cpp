@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/build/build_simulation.hpp"
+#include "tools/build/simulator_source.hpp"
 #include "tools/scenario/files/ros_map_file.hpp"
 #include "tools/scenario/scenario_file.hpp"
-#include "tools/sources/build_simulation.hpp"
-#include "tools/sources/simulator_source.hpp"
 #include "tools/twin/twin_text.hpp"
 
 namespace castaway::testbed {

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "tools/alignment/aligned_path.hpp"
-#include "tools/formats/time_list.hpp"
-#include "tools/formats/tum.hpp"
+#include "tools/base/formats/time_list.hpp"
+#include "tools/base/formats/tum.hpp"
+#include "tools/twin/alignment/aligned_path.hpp"
 
 namespace castaway::testbed {
 namespace {

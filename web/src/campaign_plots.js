@@ -1,5 +1,5 @@
 // Descriptions of the plots of a campaign's page, as plot_spec.js has them, from the data that
-// tools/campaign_page/key_figures.cpp writes:
+// tools/pages/campaign/figures/key_figures.cpp writes:
 //   {series: labels, styles: into the palette, names: figures, units: of them, axes: [{key, unit, numeric, labels, x, figures}]}
 //   figures: for each name [{series, at: places, y, low, high, n}]
 

@@ -1,4 +1,4 @@
-// Beams, particles and people of one scan, as tools/run/recording_blocks.hpp writes them.
+// Beams, particles and people of one scan, as tools/outputs/records/recording_blocks.hpp writes them.
 
 /** The lidar's index and its beams' ranges [m], NaN where nothing came back. */
 export function beamsOf(recording, position) {

@@ -2,7 +2,7 @@
 
 const kEnds = [0.1, 0.2, 0.5, 1, 5];  // [m] Not included.
 
-/** The step of a position error [m], 0 to 5, as tools/report/html/error_scale.hpp has it; -1 for none. */
+/** The step of a position error [m], 0 to 5, as tools/pages/html/error_scale.hpp has it; -1 for none. */
 export function errorStep(error) {
   if (error === null || error === undefined) return -1;
   const step = kEnds.findIndex((end) => error < end);

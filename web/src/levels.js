@@ -1,4 +1,4 @@
-// The floors of a run on several of them, as tools/formats/level_map.hpp has them.
+// The floors of a run on several of them, as tools/base/formats/level_map.hpp has them.
 
 const kAbove = 0.5;  // [m] A ramp's last piece belongs to the floor above.
 const kHead = 1.9;  // [m] Above a floor, the 3-D view is cut here.

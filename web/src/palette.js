@@ -27,7 +27,7 @@ function freeStyle(wanted, taken) {
 
 /**
  * Index into the palette of each localizer. It follows from the name, so that a localizer looks the same in every run.
- * tools/pictures/localizer_styles.hpp is the same function.
+ * tools/outputs/pictures/localizer_styles.hpp is the same function.
  */
 export function stylesOf(names) {
   const taken = new Set();

@@ -1,5 +1,5 @@
 // How a page describes its plots. Behind each empty element of class "plots" stands a script of JSON, written by
-// tools/report/html/plot_data.hpp:
+// tools/pages/html/plot_data.hpp:
 //   {x: numbers that series share, plots: [{title, unit, x: axis, y: axis, series, limit, marks, nothing, localizers}]}
 //   axis: {label, range: [low, high], log: [low, high], least, names}; range is fixed, log narrows to the data, an
 //   axis without either goes from 0 to the largest value, or to `least` (y), or is as wide as the data (x); names: of

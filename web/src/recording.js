@@ -1,4 +1,4 @@
-// A run's recording, as tools/run/recording_sink.hpp writes it.
+// A run's recording, as tools/outputs/sinks/recording_sink.hpp writes it.
 import {Reader, column} from './varint.js';
 
 const kFirstLine = 'castaway recording 1';

@@ -1,4 +1,4 @@
-// Whole numbers as bytes, as tools/formats/varint.hpp writes them.
+// Whole numbers as bytes, as tools/base/bytes/varint.hpp writes them.
 
 /** Reads numbers from `bytes`, from `at` on. Numbers beyond 2^53 do not occur in recordings. */
 export class Reader {

@@ -1,4 +1,4 @@
-// The recordings that tests/tools/sinks/recording_fixture_test.cpp writes.
+// The recordings that tests/tools/outputs/sinks/recording_fixture_test.cpp writes.
 import {readFileSync} from 'node:fs';
 import {fileURLToPath} from 'node:url';
 

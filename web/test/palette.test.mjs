@@ -28,7 +28,7 @@ test('a localizer looks the same in every run', () => {
   assert.deepEqual(names.map((_, k) => styleOf(names, k)), stylesOf(names));
 });
 
-// tests/tools/pictures/localizer_styles_test.cpp has the same table.
+// tests/tools/outputs/pictures/localizer_styles_test.cpp has the same table.
 test('styles are those of the pictures', () => {
   assert.deepEqual(stylesOf(['mine']), [4]);
   assert.deepEqual(stylesOf(['a', 'b', 'c']), [2, 3, 4]);

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {Reader, column} from '../src/varint.js';
 
-test('numbers are read as tools/formats/varint.hpp writes them', () => {
+test('numbers are read as tools/base/bytes/varint.hpp writes them', () => {
   const reader = new Reader(Uint8Array.of(0, 1, 0x7f, 0x80, 1, 0xac, 2));
   assert.deepEqual([1, 2, 3, 4, 5].map(() => reader.next()), [0, 1, 127, 128, 300]);
   assert.ok(reader.done);

@@ -7,9 +7,9 @@
 #include "tests/tools/support/ros_bag.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tests/tools/support/two_floors.hpp"
-#include "tools/files/file.hpp"
+#include "tools/base/files/file.hpp"
+#include "tools/build/map3d/map3d_files.hpp"
 #include "tools/live/live_loading.hpp"
-#include "tools/map3d/map3d_files.hpp"
 
 namespace castaway::testbed {
 namespace {

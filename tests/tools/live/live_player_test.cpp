@@ -18,7 +18,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/tools/support/temporary.hpp"
-#include "tools/files/file.hpp"
+#include "tools/base/files/file.hpp"
 #include "tools/live/lines/wire.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tools/build/build_localizers.hpp"
+#include "tools/build/build_simulation.hpp"
+#include "tools/build/scan_truth.hpp"
 #include "tools/scenario/files/data_paths.hpp"
-#include "tools/sources/build_localizers.hpp"
-#include "tools/sources/build_simulation.hpp"
-#include "tools/sources/scan_truth.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/tools/support/temporary.hpp"
-#include "tools/files/file.hpp"
+#include "tools/base/files/file.hpp"
 #include "tools/ros/bag_writer.hpp"
 
 namespace castaway::testbed {

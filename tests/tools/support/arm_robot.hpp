@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tools/files/file.hpp"
+#include "tools/base/files/file.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 
 namespace castaway::testbed {

@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/tools/support/temporary.hpp"
-#include "tools/cells/campaign_cell.hpp"
-#include "tools/cells/finished_campaign.hpp"
+#include "tools/batch/campaign/campaign_cell.hpp"
+#include "tools/batch/campaign/finished_campaign.hpp"
 
 namespace castaway::testbed {
 

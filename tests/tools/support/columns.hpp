@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/formats/varint.hpp"
+#include "tools/base/bytes/varint.hpp"
 
 namespace castaway::testbed {
 

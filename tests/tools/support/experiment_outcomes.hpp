@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/campaign/experiment_summary.hpp"
-#include "tools/metrics/metrics_json.hpp"
+#include "tools/batch/compare/experiment_summary.hpp"
+#include "tools/run/metrics/metrics_json.hpp"
 
 namespace castaway::testbed {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "localization/geometry/stamp.hpp"
-#include "tools/metrics/run_rows.hpp"
+#include "tools/run/metrics/run_rows.hpp"
 
 namespace castaway::testbed {
 

@@ -1,7 +1,7 @@
 /// Recorded frames for tests: a log of a robot on the x axis.
 #pragma once
 
-#include "tools/sources/recorded/recorded_source.hpp"
+#include "tools/build/recorded/recorded_source.hpp"
 
 namespace castaway::testbed {
 

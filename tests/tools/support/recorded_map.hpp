@@ -1,7 +1,7 @@
 /// A small map for tests of recordings.
 #pragma once
 
-#include "tools/formats/ros_map.hpp"
+#include "tools/base/formats/ros_map.hpp"
 
 namespace castaway::testbed {
 

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "tests/support/grid_world.hpp"
-#include "tools/evaluate/evaluation.hpp"
-#include "tools/files/file.hpp"
+#include "tools/base/files/file.hpp"
+#include "tools/batch/evaluate/evaluation.hpp"
 
 namespace castaway::testbed {
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/tools/support/temporary.hpp"
-#include "tools/dataset/dataset_contents.hpp"
-#include "tools/files/file.hpp"
+#include "tools/base/files/file.hpp"
+#include "tools/batch/dataset/dataset_contents.hpp"
 
 namespace castaway::testbed {
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "tests/tools/support/records.hpp"
-#include "tools/records/scan_row.hpp"
+#include "tools/outputs/records/scan_row.hpp"
 
 namespace castaway::testbed {
 

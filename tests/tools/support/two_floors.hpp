@@ -2,7 +2,7 @@
 #pragma once
 
 #include "localization/map3d/voxel_builder.hpp"
-#include "tools/map3d/survey_map3d.hpp"
+#include "tools/build/map3d/survey_map3d.hpp"
 
 namespace castaway::testbed {
 

@@ -8,7 +8,7 @@
 #include <boost/random/exponential_distribution.hpp>
 
 #include "tests/tools/twin/room_log.hpp"
-#include "tools/alignment/expected_scan.hpp"
+#include "tools/twin/alignment/expected_scan.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -10,7 +10,7 @@
 #include <boost/random/uniform_01.hpp>
 
 #include "localization/geometry/random.hpp"
-#include "tools/alignment/motion_samples.hpp"
+#include "tools/twin/alignment/motion_samples.hpp"
 
 namespace castaway::testbed {
 

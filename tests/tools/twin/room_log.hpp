@@ -8,7 +8,7 @@
 
 #include "localization/map/ray_cast.hpp"
 #include "tests/support/grid_world.hpp"
-#include "tools/alignment/aligned_log.hpp"
+#include "tools/twin/alignment/aligned_log.hpp"
 
 namespace castaway::testbed {
 

@@ -5,8 +5,8 @@
 
 #include "tests/tools/support/temporary.hpp"
 #include "tests/tools/twin/twin_logs.hpp"
-#include "tools/formats/time_list.hpp"
-#include "tools/formats/tum.hpp"
+#include "tools/base/formats/time_list.hpp"
+#include "tools/base/formats/tum.hpp"
 #include "tools/twin/twin_text.hpp"
 
 namespace castaway::testbed {

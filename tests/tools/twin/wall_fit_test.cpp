@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/tools/twin/room_log.hpp"
-#include "tools/alignment/expected_scan.hpp"
+#include "tools/twin/alignment/expected_scan.hpp"
 
 namespace castaway::testbed {
 namespace {

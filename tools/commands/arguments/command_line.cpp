@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
-#include "tools/output/exit_code.hpp"
+#include "tools/base/output/exit_code.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
 
 namespace castaway::testbed {

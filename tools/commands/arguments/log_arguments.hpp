@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "tools/batch/evaluate/evaluation.hpp"
 #include "tools/commands/arguments/command_line.hpp"
 #include "tools/commands/arguments/localizer_arguments.hpp"
-#include "tools/evaluate/evaluation.hpp"
 
 namespace castaway::testbed {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "tools/build/ros2/bridge_config.hpp"
 #include "tools/commands/arguments/command_line.hpp"
-#include "tools/ros2/bridge_config.hpp"
 
 namespace castaway::testbed {
 

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
+#include "tools/base/output/file_name.hpp"
 #include "tools/commands/arguments/localizer_arguments.hpp"
-#include "tools/output/file_name.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/scenario_name.hpp"
 

@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/output/say.hpp"
+#include "tools/base/process/worker_pool.hpp"
 #include "tools/commands/bench/bench.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/metrics/statistics/statistics.hpp"
-#include "tools/output/say.hpp"
+#include "tools/run/metrics/statistics/statistics.hpp"
 #include "tools/twin/calibration_trials.hpp"
-#include "tools/workers/worker_pool.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "localization/geometry/stamp.hpp"
-#include "tools/bench/crowd_hours.hpp"
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/output/say.hpp"
+#include "tools/base/process/cpu_clock.hpp"
+#include "tools/batch/bench/crowd_hours.hpp"
 #include "tools/commands/bench/bench.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/output/say.hpp"
-#include "tools/run/cpu_clock.hpp"
 
 namespace castaway::testbed {
 namespace {

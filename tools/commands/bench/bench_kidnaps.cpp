@@ -7,16 +7,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/output/say.hpp"
+#include "tools/batch/trials/kidnap_bench.hpp"
 #include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/bench/bench.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/metrics/metrics_json.hpp"
-#include "tools/metrics/statistics/intervals.hpp"
-#include "tools/metrics/statistics/statistics.hpp"
-#include "tools/output/say.hpp"
 #include "tools/play/progress.hpp"
+#include "tools/run/metrics/metrics_json.hpp"
+#include "tools/run/metrics/statistics/intervals.hpp"
+#include "tools/run/metrics/statistics/statistics.hpp"
 #include "tools/scenario/scenario_file.hpp"
-#include "tools/trials/kidnap_bench.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/sensor/odometry_profiles.hpp"
-#include "tools/bench/odometry_bench.hpp"
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/output/say.hpp"
+#include "tools/batch/bench/odometry_bench.hpp"
+#include "tools/build/recorded/carmen_source.hpp"
 #include "tools/commands/bench/bench.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/output/say.hpp"
-#include "tools/sources/carmen_source.hpp"
 
 namespace castaway::testbed {
 namespace {

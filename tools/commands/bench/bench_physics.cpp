@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/bench/physics_bench.hpp"
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/output/say.hpp"
+#include "tools/batch/bench/physics_bench.hpp"
+#include "tools/build/build_robot.hpp"
 #include "tools/commands/bench/bench.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/output/say.hpp"
-#include "tools/sources/build_robot.hpp"
 
 namespace castaway::testbed {
 namespace {

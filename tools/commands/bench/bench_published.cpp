@@ -6,15 +6,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/formats/figure_text.hpp"
+#include "tools/base/output/say.hpp"
+#include "tools/batch/trials/published_bench.hpp"
 #include "tools/commands/bench/bench.hpp"
-#include "tools/files/json_text.hpp"
-#include "tools/formats/figure_text.hpp"
-#include "tools/metrics/statistics/intervals.hpp"
-#include "tools/output/say.hpp"
 #include "tools/play/progress.hpp"
+#include "tools/run/metrics/statistics/intervals.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/scenario_file.hpp"
-#include "tools/trials/published_bench.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/files/json_text.hpp"
+#include "tools/base/files/json_text.hpp"
 #include "tools/live/lines/pipes.hpp"
 #include "tools/live/lines/wire.hpp"
 

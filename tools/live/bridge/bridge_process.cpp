@@ -11,11 +11,11 @@
 
 #include <fmt/format.h>
 
+#include "tools/base/output/any_error.hpp"
+#include "tools/base/output/say.hpp"
+#include "tools/base/process/worker_process.hpp"
+#include "tools/build/ros2/build_ros2.hpp"
 #include "tools/live/lines/pipes.hpp"
-#include "tools/output/any_error.hpp"
-#include "tools/output/say.hpp"
-#include "tools/ros2/build_ros2.hpp"
-#include "tools/workers/worker_process.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "tools/build/ros2/bridge_config.hpp"
 #include "tools/live/bridge/bridge_link.hpp"
-#include "tools/ros2/bridge_config.hpp"
 
 namespace castaway::testbed {
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <cerrno>
 
-#include "tools/files/json_text.hpp"
+#include "tools/base/files/json_text.hpp"
 
 namespace castaway::testbed {
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "tools/files/file.hpp"
-#include "tools/output/file_name.hpp"
+#include "tools/base/files/file.hpp"
+#include "tools/base/output/file_name.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/files/json_text.hpp"
+#include "tools/base/files/json_text.hpp"
 
 namespace castaway::testbed {
 namespace {

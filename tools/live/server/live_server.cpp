@@ -13,7 +13,7 @@
 #include <boost/beast.hpp>
 #include <nlohmann/json.hpp>
 
-#include "tools/files/json_text.hpp"
+#include "tools/base/files/json_text.hpp"
 #include "tools/live/lines/wire.hpp"
 #include "tools/live/server/live_http.hpp"
 #include "tools/live/server/live_pages.hpp"

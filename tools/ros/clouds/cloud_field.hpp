@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/formats/points/scalar.hpp"
+#include "tools/base/formats/points/scalar.hpp"
 #include "tools/ros/ros_sensor.hpp"
 
 namespace castaway::testbed {

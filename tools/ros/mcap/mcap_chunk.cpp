@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include "tools/ros/mcap/byte_reader.hpp"
-#include "tools/files/compression.hpp"
+#include "tools/base/bytes/byte_reader.hpp"
+#include "tools/base/bytes/compression.hpp"
 
 namespace castaway::testbed {
 namespace {

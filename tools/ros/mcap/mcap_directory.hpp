@@ -5,7 +5,7 @@
 #include <map>
 #include <string_view>
 
-#include "tools/ros/mcap/byte_reader.hpp"
+#include "tools/base/bytes/byte_reader.hpp"
 #include "tools/ros/mcap/mcap_records.hpp"
 
 namespace castaway::testbed {

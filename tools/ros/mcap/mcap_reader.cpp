@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/files/file.hpp"
+#include "tools/base/files/file.hpp"
 #include "tools/ros/mcap/mcap_chunk.hpp"
 
 namespace castaway::testbed {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "tools/ros/mcap/byte_writer.hpp"
+#include "tools/base/bytes/byte_writer.hpp"
 
 namespace castaway::testbed {
 

@@ -5,7 +5,7 @@
 
 #include <zlib.h>
 
-#include "tools/files/compression.hpp"
+#include "tools/base/bytes/compression.hpp"
 
 namespace castaway::testbed {
 namespace {

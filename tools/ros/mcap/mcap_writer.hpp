@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "tools/files/compression.hpp"
-#include "tools/files/file.hpp"
+#include "tools/base/bytes/compression.hpp"
+#include "tools/base/files/file.hpp"
 #include "tools/ros/mcap/mcap_records.hpp"
 #include "tools/ros/mcap/mcap_summary.hpp"
 

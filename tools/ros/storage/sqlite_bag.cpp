@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/files/file.hpp"
+#include "tools/base/files/file.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tools/files/file.hpp"
+#include "tools/base/files/file.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "tools/formats/ros_map.hpp"
+#include "tools/base/formats/ros_map.hpp"
 
 namespace castaway::testbed {
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/files/json_text.hpp"
-#include "tools/output/file_name.hpp"
+#include "tools/base/files/json_text.hpp"
+#include "tools/base/output/file_name.hpp"
 #include "tools/scenario/localizers/yaml_json.hpp"
 #include "tools/scenario/sections/name_spec.hpp"
 

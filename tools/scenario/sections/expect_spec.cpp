@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/common/nearest_name.hpp"
-#include "tools/metrics/metric_paths.hpp"
+#include "tools/run/metrics/metric_paths.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/metrics/expectation.hpp"
+#include "tools/run/metrics/expectation.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
 
 namespace castaway::testbed {

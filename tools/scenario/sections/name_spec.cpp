@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/output/file_name.hpp"
+#include "tools/base/output/file_name.hpp"
 
 namespace castaway::testbed {
 

@@ -31,10 +31,9 @@ void fields(Settings settings, FilmConfig& film) {
 }
 
 void fields(Settings settings, BagOptions& bag) {
-  settings.choice({"compression", "", "Compression of the bag's chunks."}, bag.compression,
-                  {{"zstd", Compression::kZstd},
-                   {"lz4", Compression::kLz4},
-                   {"none", Compression::kNone}});
+  settings.choice(
+      {"compression", "", "Compression of the bag's chunks."}, bag.compression,
+      {{"zstd", Compression::kZstd}, {"lz4", Compression::kLz4}, {"none", Compression::kNone}});
   settings.field({"particles", "", "All particles of all localizers."}, bag.particles);
   settings.field({"points", "", "Clouds with all layers of 3-D lidars."}, bag.points);
   settings.field({"snapshots", "", "The run's pictures, if it takes any."}, bag.snapshots);

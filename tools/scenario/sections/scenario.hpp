@@ -22,12 +22,12 @@
 #include "sim/robot/bodies/twist_ramp.hpp"
 #include "sim/sensor/imu.hpp"
 #include "sim/sensor/wheel_odometry.hpp"
-#include "tools/foreign/foreign_config.hpp"
-#include "tools/foreign/ros2_config.hpp"
-#include "tools/metrics/expectation.hpp"
-#include "tools/pictures/picture_config.hpp"
+#include "tools/outputs/pictures/picture_config.hpp"
 #include "tools/ros/bag_options.hpp"
+#include "tools/run/foreign_config.hpp"
 #include "tools/run/localizer_order.hpp"
+#include "tools/run/metrics/expectation.hpp"
+#include "tools/run/ros2_config.hpp"
 #include "tools/scenario/yaml/yaml_tree.hpp"
 
 namespace castaway::testbed {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/common/nearest_name.hpp"
-#include "tools/files/file.hpp"
+#include "tools/base/files/file.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
 
 namespace castaway::testbed {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
-#include "tools/files/utf8.hpp"
+#include "tools/base/bytes/utf8.hpp"
 
 namespace castaway::testbed {
 namespace {

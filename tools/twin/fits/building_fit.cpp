@@ -4,15 +4,15 @@
 #include <array>
 #include <cmath>
 
-#include "tools/alignment/beam_view.hpp"
-#include "tools/alignment/seen_cells.hpp"
+#include "tools/twin/alignment/beam_view.hpp"
+#include "tools/twin/alignment/seen_cells.hpp"
 #include "tools/twin/fits/grid_boxes.hpp"
 
 namespace castaway::testbed {
 namespace {
 
 constexpr double kNearest = 1.5;  // [m] A robot that waits for people sees them closer.
-constexpr std::size_t kBuildingScans = 1500;
+constexpr std::size_t kFittedScans = 1500;
 
 /// Where something stands that is not on the map: most of the scans that saw the cell saw a return.
 bool stands_at(const SeenCells& seen, const Eigen::Vector2d& p_cells) {
@@ -165,7 +165,7 @@ std::optional<BuildingFit> fit_building(const AlignedLog& log) {
   const BeamViewer viewer(log);
   const double resolution = log.grid.frame.resolution;
   SeenCells seen(log.grid.frame);
-  const std::vector<std::size_t> indices = spread_scans(log, kBuildingScans);
+  const std::vector<std::size_t> indices = spread_scans(log, kFittedScans);
   SeenCells walls(log.grid.frame);
   for (const std::size_t i : indices) {
     const std::vector<BeamView> views = viewer.view(log.scans[i]);

@@ -7,7 +7,7 @@ namespace castaway::testbed {
 namespace {
 
 constexpr double kLongestPeriod = 0.125;  // [s] of odometry
-constexpr double kLongestGap = 0.6;       // [s] between scans
+constexpr double kLongestPause = 0.6;     // [s] between scans
 constexpr double kFewestChanges = 2.0;    // [rad/s]
 
 /// A leg's turn as a function of the offset, to first order.
@@ -47,7 +47,7 @@ std::vector<TurnSample> take_samples(const AlignedLog& log, const OdometryErrors
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const Stamp begin = log.scans[i].scan.stamp;
     const Stamp end = log.scans[i + 1].scan.stamp;
-    if (legs[i].breaks || seconds(end - begin) > kLongestGap) continue;
+    if (legs[i].breaks || seconds(end - begin) > kLongestPause) continue;
     const Stamp swept = end + sweep_of(log.scans[i + 1].scan);
     const auto change = turn_change(log, begin - kHalf, begin + kHalf, end - kHalf, end + kHalf);
     const auto around = turn_change(log, begin - kAside, begin - kHalf,

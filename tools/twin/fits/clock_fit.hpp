@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "tools/alignment/motion_samples.hpp"
+#include "tools/twin/alignment/motion_samples.hpp"
 #include "tools/twin/fits/figure.hpp"
 
 namespace castaway::testbed {

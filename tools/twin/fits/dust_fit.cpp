@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "tools/alignment/expected_scan.hpp"
+#include "tools/twin/alignment/expected_scan.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "tools/metrics/statistics/statistics.hpp"
+#include "tools/run/metrics/statistics/statistics.hpp"
 
 namespace castaway::testbed {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "tools/alignment/expected_scan.hpp"
+#include "tools/twin/alignment/expected_scan.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 #include <boost/math/distributions/chi_squared.hpp>
 
-#include "tools/alignment/expected_scan.hpp"
+#include "tools/twin/alignment/expected_scan.hpp"
 #include "tools/twin/fits/range_resolution.hpp"
 
 namespace castaway::testbed {

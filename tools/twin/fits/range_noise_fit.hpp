@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "tools/alignment/aligned_log.hpp"
+#include "tools/twin/alignment/aligned_log.hpp"
 #include "tools/twin/fits/figure.hpp"
 
 namespace castaway::testbed {

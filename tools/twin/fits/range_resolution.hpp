@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tools/alignment/aligned_log.hpp"
+#include "tools/twin/alignment/aligned_log.hpp"
 
 namespace castaway::testbed {
 

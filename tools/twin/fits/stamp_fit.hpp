@@ -1,7 +1,7 @@
 /// Rate, jitter and gaps of the scans of a log.
 #pragma once
 
-#include "tools/alignment/aligned_log.hpp"
+#include "tools/twin/alignment/aligned_log.hpp"
 #include "tools/twin/fits/figure.hpp"
 
 namespace castaway::testbed {

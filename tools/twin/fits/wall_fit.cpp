@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "tools/alignment/expected_scan.hpp"
-#include "tools/metrics/statistics/statistics.hpp"
+#include "tools/run/metrics/statistics/statistics.hpp"
+#include "tools/twin/alignment/expected_scan.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -1,7 +1,7 @@
 /// Fits the surfaces of walls, and the place of the lidar that makes them sharpest, to a log.
 #pragma once
 
-#include "tools/alignment/aligned_log.hpp"
+#include "tools/twin/alignment/aligned_log.hpp"
 
 namespace castaway::testbed {
 

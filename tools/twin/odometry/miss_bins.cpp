@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/metrics/statistics/statistics.hpp"
+#include "tools/run/metrics/statistics/statistics.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tools/alignment/motion_samples.hpp"
+#include "tools/twin/alignment/motion_samples.hpp"
 
 namespace castaway::testbed {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tools/alignment/motion_samples.hpp"
+#include "tools/twin/alignment/motion_samples.hpp"
 
 namespace castaway::testbed {
 

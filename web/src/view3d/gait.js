@@ -59,7 +59,7 @@ export class Walks {
 }
 
 /**
- * Where the parts of a person are, whose `model` is that of tools/scene/person_model.hpp: feet [x, y], left and right; hips
+ * Where the parts of a person are, whose `model` is that of tools/build/scene/person_model.hpp: feet [x, y], left and right; hips
  * [x, y, z]; girth of the legs relative to the model's; the coat's [height of its frame, stretch]; height of the head's frame.
  */
 export function partsOf(model, {id, x, y, yaw, speed, walked}) {

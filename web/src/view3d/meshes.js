@@ -1,4 +1,4 @@
-// Meshes and matrices as plain numbers; tools/scene/page_scene.hpp writes the meshes.
+// Meshes and matrices as plain numbers; tools/build/scene/page_scene.hpp writes the meshes.
 import {fromBase64} from '../bytes.js';
 
 /** Numbers of a type in base64 text; the bytes are little-endian, as in all browsers. */

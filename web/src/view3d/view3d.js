@@ -61,7 +61,7 @@ export class View3d {
     new ResizeObserver(() => this.resize()).observe(canvas);
   }
 
-  /** Takes what can be seen: JSON of tools/scene/page_scene.hpp. False where there is no WebGL. */
+  /** Takes what can be seen: JSON of tools/build/scene/page_scene.hpp. False where there is no WebGL. */
   setScene(json) {
     if (!this.renderer && !this.start()) return false;
     this.content?.remove();

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/tools/support/temporary.hpp"
-#include "tools/ros/mcap/byte_writer.hpp"
+#include "tools/base/bytes/byte_writer.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/ros/mcap/byte_writer.hpp"
+#include "tools/base/bytes/byte_writer.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "tests/tools/support/mcap_file.hpp"
 #include "tests/tools/support/temporary.hpp"
-#include "tools/files/file.hpp"
-#include "tools/files/compression.hpp"
+#include "tools/base/bytes/compression.hpp"
+#include "tools/base/files/file.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -90,8 +90,7 @@ TEST_P(McapReaderOf, SurvivesEveryByteTurnedOver) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, McapReaderOf,
-                         testing::Values(Compression::kNone, Compression::kZstd,
-                                         Compression::kLz4),
+                         testing::Values(Compression::kNone, Compression::kZstd, Compression::kLz4),
                          [](const auto& parameter) {
                            const std::string name = compression_name(parameter.param);
                            return name.empty() ? "none" : name;

@@ -6,7 +6,7 @@
 
 #include "tests/tools/support/mcap_file.hpp"
 #include "tests/tools/support/temporary.hpp"
-#include "tools/files/file.hpp"
+#include "tools/base/files/file.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -81,8 +81,7 @@ TEST(McapWriter, SaysWhereItsSummaryIs) {
 
 TEST(McapWriter, GivesTheSameBytesForTheSameCalls) {
   const TemporaryFolder folder;
-  for (const auto compression :
-       {Compression::kNone, Compression::kZstd, Compression::kLz4}) {
+  for (const auto compression : {Compression::kNone, Compression::kZstd, Compression::kLz4}) {
     write_texts(folder.path() / "a.mcap", {compression}, 100);
     write_texts(folder.path() / "b.mcap", {compression}, 100);
     EXPECT_EQ(read_file(folder.path() / "a.mcap"), read_file(folder.path() / "b.mcap"));

@@ -9,7 +9,7 @@
 
 #include "tests/tools/support/ros_bag.hpp"
 #include "tests/tools/support/temporary.hpp"
-#include "tools/files/compression.hpp"
+#include "tools/base/bytes/compression.hpp"
 
 namespace castaway::testbed {
 namespace {

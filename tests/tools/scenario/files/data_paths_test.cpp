@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/tools/support/temporary.hpp"
-#include "tools/files/file.hpp"
+#include "tools/base/files/file.hpp"
 
 namespace castaway::testbed {
 namespace {

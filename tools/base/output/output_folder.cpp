@@ -1,0 +1,183 @@
+#include "tools/base/output/output_folder.hpp"
+
+#include <fmt/format.h>
+
+#include "tools/base/files/durable.hpp"
+#include "tools/base/output/listed_path.hpp"
+#include "tools/base/output/make_folder.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// True if `file` is `folder` or lies in it.
+bool lies_in(const fs::path& file, const fs::path& folder) {
+  std::error_code none;
+  const fs::path inner = fs::weakly_canonical(file, none);
+  const fs::path outer = fs::weakly_canonical(folder, none);
+  const fs::path relative = inner.lexically_relative(outer);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& why, const char* remedy) {
+  throw std::runtime_error(fmt::format("{}: {}; {}", folder.string(), why, remedy));
+}
+
+constexpr const char* kElsewhere = "choose another folder with --out";
+constexpr const char* kElsewhereOrForce =
+    "choose another folder with --out, or --force to replace only what castaway wrote";
+
+/// The topmost missing folder on the path to `target`; empty if `target` exists.
+fs::path topmost_missing(const fs::path& target) {
+  fs::path missing;
+  std::error_code none;
+  for (fs::path place = target; !place.empty() && !fs::exists(place, none);
+       place = place.parent_path()) {
+    missing = place;
+  }
+  return missing;
+}
+
+/// The record of an earlier run; nothing if that run was killed before it wrote anything.
+std::optional<FileRecord> earlier_record(const fs::path& target) {
+  std::optional<FileRecord> record = load_record(target);
+  if (record) record = settle(target, std::move(*record));
+  const bool empty = record && record->files.empty() && record->single_files.empty();
+  return empty && !record->finished ? std::nullopt : record;
+}
+
+void remove_empty_folders(fs::path from, const fs::path& to) {
+  std::error_code none;
+  while (from != to && fs::is_empty(from, none) && fs::remove(from, none)) {
+    from = from.parent_path();
+  }
+}
+
+/// Removes the files of a list and the folders that become empty.
+void remove_listed(const fs::path& folder, const FileRecord& record) {
+  for (const auto& [path, hash] : record.files) {
+    if (!is_replaceable(folder, path, record)) continue;
+    std::error_code none;
+    fs::remove(folder / path, none);
+    remove_empty_folders((folder / path).parent_path(), folder);
+  }
+}
+
+}  // namespace
+
+void check_output(const OutputRequest& request) {
+  const fs::path& target = request.target;
+  std::error_code none;
+  if (!fs::exists(target, none)) return;
+  if (!fs::is_directory(target, none)) refuse(target, "is not a folder", kElsewhere);
+  for (const fs::path& input : request.inputs) {
+    if (lies_in(input, target)) {
+      refuse(target, fmt::format("holds the input {}", input.string()), kElsewhere);
+    }
+  }
+  const std::optional<FileRecord> record = load_record(target);
+  if (fs::exists(target / kStagingName, none) && !record) {
+    refuse(target, fmt::format("holds '{}' without a list of files", kStagingName), kElsewhere);
+  }
+  if (request.force) return;
+  if (const auto foreign = find_foreign(target, record)) {
+    refuse(target,
+           foreign->changed
+               ? fmt::format("'{}' was changed since castaway wrote it", foreign->path)
+               : fmt::format("holds '{}', which castaway did not write", foreign->path),
+           kElsewhereOrForce);
+  }
+}
+
+void remove_output(const fs::path& folder) {
+  std::optional<FileRecord> record = load_record(folder);
+  if (!record) return;
+  record = settle(folder, std::move(*record));
+  remove_listed(folder, *record);
+  std::error_code none;
+  fs::remove_all(folder / kStagingName, none);
+  if (!record->single_files.empty()) return;
+  fs::remove(folder / kRecordName, none);
+  remove_empty_folders(folder, folder.parent_path());
+}
+
+OutputFolder::OutputFolder(OutputRequest request) : request_(std::move(request)) {
+  fs::path& target = request_.target;
+  target = fs::absolute(target).lexically_normal();
+  if (!target.has_filename()) target = target.parent_path();
+  check_output(request_);
+  made_ = topmost_missing(target);
+  staging_ = target / kStagingName;
+  make_folder(target);
+  lock_.emplace(target);
+  record_ = earlier_record(target);
+  clear_leftovers(target);
+  if (!record_) save_record(target, {request_.made_by, request_.settings, false, {}, {}});
+  std::error_code none;
+  fs::remove_all(staging_, none);
+  make_folder(staging_);
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code none;
+  const fs::path& target = request_.target;
+  fs::remove_all(staging_, none);
+  if (!record_) fs::remove(target / kRecordName, none);
+  if (!made_.empty()) remove_empty_folders(target, made_.parent_path());
+}
+
+void OutputFolder::require_replaceable(const FileHashes& files) const {
+  for (const auto& [path, hash] : files) {
+    if (is_replaceable(request_.target, path, record_)) continue;
+    throw std::runtime_error(fmt::format(
+        "{}: castaway did not write what is there; move it away or choose another --out",
+        (request_.target / path).string()));
+  }
+}
+
+void OutputFolder::move(const FileHashes& files) const {
+  for (const auto& [path, hash] : files) {
+    const fs::path place = request_.target / path;
+    fs::create_directories(place.parent_path());
+    fs::rename(staging_ / path, place);
+  }
+}
+
+void OutputFolder::commit(bool complete) {
+  const FileHashes files = hash_files(staging_);
+  require_replaceable(files);
+  FileRecord record{request_.made_by, request_.settings, false, {}, {}};
+  if (record_) {
+    record.files = record_->files;
+    record.single_files = record_->single_files;
+  }
+  record.coming = files;
+  save_record(request_.target, record);
+  if (record_) remove_listed(request_.target, *record_);
+  move(files);
+  record.files = std::move(record.coming);
+  record.coming.clear();
+  record.finished = complete;
+  save_record(request_.target, record);
+  record_ = record;
+  committed_ = true;
+  if (!request_.keep_list) fs::remove(request_.target / kRecordName);
+}
+
+void replace_output(const fs::path& draft, const fs::path& target) {
+  require_no_link(folder_of(target), target.filename());
+  if (!fs::exists(target)) {
+    fs::create_directories(folder_of(target));
+    return fs::rename(draft, target);
+  }
+  const FileRecord record = load_record(draft).value_or(FileRecord{});
+  OutputFolder output({target, record.made_by, record.settings, {}, true});
+  for (const auto& entry : fs::directory_iterator(draft)) {
+    const fs::path name = entry.path().filename();
+    if (name != kRecordName) fs::rename(entry.path(), output.folder() / name);
+  }
+  output.commit();
+}
+
+}  // namespace castaway::testbed

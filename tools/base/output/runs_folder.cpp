@@ -1,0 +1,129 @@
+#include "tools/base/output/runs_folder.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "tools/base/bytes/sha256.hpp"
+#include "tools/base/files/file.hpp"
+#include "tools/base/files/file_error.hpp"
+#include "tools/base/output/listed_path.hpp"
+#include "tools/base/output/make_folder.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_all(const OutputRequest& request, const std::vector<PlannedRun>& runs) {
+  check_output(request);
+  const std::optional<FileRecord> record = load_record(request.target);
+  for (const std::string& run : record.value_or(FileRecord{}).runs) {
+    if (is_folder_below(request.target, run)) static_cast<void>(load_record(request.target / run));
+  }
+  OutputRequest one = request;
+  for (const PlannedRun& run : runs) {
+    require_no_link(request.target, run.folder);
+    one.target = request.target / run.folder;
+    check_output(one);
+  }
+}
+
+std::vector<std::string> folders_of(const std::vector<PlannedRun>& runs) {
+  std::vector<std::string> folders;
+  for (const PlannedRun& run : runs) folders.push_back(run.folder);
+  return folders;
+}
+
+}  // namespace
+
+std::string program_hash() { return sha256_of_file("/proc/self/exe"); }
+
+RunsFolder::RunsFolder(OutputRequest request, std::vector<PlannedRun> runs)
+    : request_(std::move(request)), runs_(std::move(runs)) {
+  check_all(request_, runs_);
+  make_folder(request_.target);
+  lock_.emplace(request_.target);
+  earlier_ = settle(request_.target, load_record(request_.target).value_or(FileRecord{}));
+  clear_leftovers(request_.target);
+  std::error_code none;
+  fs::remove_all(drafts(), none);
+  record_ = earlier_;
+  record_.made_by = request_.made_by;
+  record_.settings = request_.settings;
+  record_.program = program_hash();
+  record_.finished = false;
+  goes_on_ = !earlier_.finished && earlier_.made_by == record_.made_by &&
+             earlier_.settings == record_.settings && earlier_.program == record_.program;
+  for (const std::string& folder : folders_of(runs_)) {
+    const auto& known = record_.runs;
+    if (std::find(known.begin(), known.end(), folder) == known.end()) {
+      record_.runs.push_back(folder);
+    }
+  }
+  save_record(request_.target, record_);
+  kept_.emplace("finished runs are kept in " + request_.target.string() +
+                "; the same command resumes");
+}
+
+RunsFolder::~RunsFolder() {
+  std::error_code none;
+  if (lock_) fs::remove_all(drafts(), none);
+}
+
+bool RunsFolder::has_run(std::size_t index) const {
+  if (!goes_on_) return false;
+  const PlannedRun& run = runs_[index];
+  const auto record = load_record(request_.target / run.folder);
+  return record && record->finished && record->settings == run.settings;
+}
+
+void RunsFolder::put(const std::string& name, std::string_view bytes) {
+  put_by(name, [&](const fs::path& file) { write_file(file, bytes); });
+}
+
+void RunsFolder::put_by(const std::string& name,
+                        const std::function<void(const fs::path& file)>& write) {
+  if (!is_replaceable(request_.target, name, record_)) {
+    throw std::runtime_error(
+        (request_.target / name).string() +
+        ": castaway did not write what is there; move it away or choose another --out");
+  }
+  write(drafts() / name);
+  const std::string hash = hash_file(drafts(), name);
+  record_.coming[name] = hash;
+  save_record(request_.target, record_);
+  std::error_code error;
+  fs::rename(drafts() / name, request_.target / name, error);
+  if (error) {
+    throw FileError(fmt::format("{}: cannot be written ({})", (request_.target / name).string(),
+                                error.message()));
+  }
+  record_.coming.clear();
+  record_.files[name] = hash;
+  earlier_.files.erase(name);
+}
+
+void RunsFolder::finish() {
+  for (const auto& [name, hash] : earlier_.files) {
+    if (!is_replaceable(request_.target, name, earlier_)) continue;
+    std::error_code none;
+    fs::remove(request_.target / name, none);
+    record_.files.erase(name);
+  }
+  const std::vector<std::string> made = folders_of(runs_);
+  for (const std::string& run : record_.runs) {
+    if (std::find(made.begin(), made.end(), run) != made.end()) continue;
+    if (is_folder_below(request_.target, run)) remove_output(request_.target / run);
+  }
+  fs::remove_all(drafts());
+  record_.runs = made;
+  record_.program.clear();
+  record_.finished = true;
+  save_record(request_.target, record_);
+  lock_.reset();
+  kept_.reset();
+  kept_.emplace("all runs are finished, in " + request_.target.string());
+}
+
+}  // namespace castaway::testbed

@@ -1,0 +1,29 @@
+/// A campaign whose cells are all there.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tools/batch/campaign/rows/rows_file.hpp"
+#include "tools/run/metrics/verdict.hpp"
+#include "tools/scenario/campaign_spec.hpp"
+
+namespace castaway::testbed {
+
+/// What pages of a campaign are made from.
+struct FinishedCampaign {
+  const CampaignSpec& spec;
+  const std::vector<std::string>& overrides;   ///< Of the scenario, as key=value.
+  const std::vector<std::string>& localizers;  ///< Of all cells.
+  const std::vector<Check>& checks;            ///< Of the expectations.
+  std::filesystem::path folder;
+  RowIndex& rows;
+};
+
+/// Files beside the tables: names and contents.
+using CampaignPages = std::vector<std::pair<std::string, std::string>>;
+using RenderCampaignPages = CampaignPages (*)(const FinishedCampaign&);
+
+}  // namespace castaway::testbed

@@ -1,0 +1,206 @@
+#include "tools/batch/dataset/dataset_run.hpp"
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "tools/base/files/file_error.hpp"
+#include "tools/base/output/any_error.hpp"
+#include "tools/base/output/exit_code.hpp"
+#include "tools/base/output/interruption.hpp"
+#include "tools/base/output/say.hpp"
+#include "tools/base/process/cpu_clock.hpp"
+#include "tools/base/process/worker_pool.hpp"
+#include "tools/batch/dataset/dataset_finish.hpp"
+#include "tools/batch/dataset/dataset_folder.hpp"
+#include "tools/batch/dataset/dataset_sequence.hpp"
+#include "tools/play/progress.hpp"
+
+namespace castaway::testbed {
+namespace {
+
+// First characters of what a worker answers for a sequence that it could not make.
+constexpr char kFailed = '?';
+constexpr char kDiskError = '!';  // It would stop the other workers, too.
+
+/// Draws every sequence and builds every world, so that errors are found before anything is made.
+void check_all(const DatasetSpec& spec, int count, DatasetWorlds& worlds) {
+  for (int i = 0; i < count; ++i) {
+    const SampledSequence sequence = sample_sequence(spec, i);
+    try {
+      worlds.check(sequence.loaded.scenario);
+    } catch (...) {
+      throw std::runtime_error(sequence_error(spec, sequence, current_error_text()));
+    }
+  }
+}
+
+std::vector<int> missing_sequences(const DatasetFolder& folder, int count) {
+  std::vector<int> missing;
+  for (int i = 0; i < count; ++i) {
+    if (!folder.has_sequence(sequence_name(i))) missing.push_back(i);
+  }
+  return missing;
+}
+
+/// Makes one sequence, in a worker. Returns nothing, or why it failed.
+std::string make_one(const DatasetSpec& spec, const DatasetWorlds& worlds,
+                     const DatasetFolder& folder, PartsOfSequences& parts, int index) {
+  try {
+    const std::string name = sequence_name(index);
+    make_sequence(spec, worlds, sample_sequence(spec, index), folder.draft(name), parts);
+    folder.commit_sequence(name);
+    return "";
+  } catch (const FileError& error) {
+    throw_if_interrupted();
+    return kDiskError + std::string(error.what());
+  } catch (...) {
+    throw_if_interrupted();
+    return kFailed + current_error_text();
+  }
+}
+
+/// Result of a pass over the missing sequences.
+struct Pass {
+  int made = 0;
+  int failed = 0;
+  std::string disk_error{};  ///< The first disk error; empty if there was none.
+};
+
+/// Counts a sequence. Prints why it failed; a disk error is kept and reported once, at the end.
+void count_in(const std::string& answer, Pass& pass) {
+  ++(answer.empty() ? pass.made : pass.failed);
+  if (answer.empty()) return;
+  if (answer.front() == kFailed) {
+    say(answer.substr(1));
+  } else if (pass.disk_error.empty()) {
+    pass.disk_error = answer.substr(1);
+  }
+}
+
+Pass make_sequences(const DatasetSpec& spec, const DatasetWorlds& worlds,
+                    const DatasetFolder& folder, const DatasetRequest& request,
+                    const std::vector<int>& missing) {
+  CampaignProgress progress(static_cast<int>(missing.size()), "sequences");
+  Pass pass;
+  JobOutcomes outcomes;
+  outcomes.on_result = [&](int, const std::string& answer) {
+    count_in(answer, pass);
+    progress.next("");
+  };
+  outcomes.on_failure = [&](int index, const std::string& reason) {
+    outcomes.on_result(index, kFailed + sequence_error(spec, sample_sequence(spec, index), reason));
+  };
+  outcomes.stopped = [&] { return !pass.disk_error.empty(); };
+  PartsOfSequences parts{request.report};  // Each worker fills its own.
+  const auto work = [&](int index) { return make_one(spec, worlds, folder, parts, index); };
+  work_through(missing, request.workers, work, outcomes);
+  return pass;
+}
+
+int incomplete(const DatasetFolder& folder, const DatasetRequest& request, const Pass& pass) {
+  folder.clear_work();
+  const std::size_t missing = missing_sequences(folder, request.sequences).size();
+  say(fmt::format("{}: {} of {} sequences are finished; the same command resumes with the rest",
+                  pass.disk_error.empty() ? folder.path().string() : pass.disk_error,
+                  static_cast<std::size_t>(request.sequences) - missing, request.sequences));
+  return kRunFailed;
+}
+
+/// CPU time and peak memory of all workers that have ended.
+DatasetInvocation workers_cost() {
+  rusage used{};
+  getrusage(RUSAGE_CHILDREN, &used);
+  const auto seconds_of = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  DatasetInvocation invocation;
+  invocation.cpu_s = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
+  invocation.largest_mb = static_cast<double>(used.ru_maxrss) / 1024.0;
+  return invocation;
+}
+
+std::vector<std::string> sequence_names(int count) {
+  std::vector<std::string> names;
+  for (int i = 0; i < count; ++i) names.push_back(sequence_name(i));
+  return names;
+}
+
+/// Clears the drafts and reports what is kept after an interruption.
+[[noreturn]] void report_kept(Interrupted interrupted, const DatasetFolder& folder,
+                              const DatasetRequest& request) {
+  folder.clear_work();
+  const std::size_t missing = missing_sequences(folder, request.sequences).size();
+  interrupted.kept = fmt::format(
+      "{}: {} of {} sequences are finished; the same command resumes", folder.path().string(),
+      static_cast<std::size_t>(request.sequences) - missing, request.sequences);
+  throw interrupted;
+}
+
+int make_in(const DatasetFolder& folder, const DatasetSpec& spec, DatasetWorlds& worlds,
+            const DatasetRequest& request) {
+  const std::vector<int> missing = missing_sequences(folder, request.sequences);
+  for (const int index : missing)
+    worlds.request_scores(sample_sequence(spec, index).loaded.scenario);
+  worlds.compute_scores(request.workers);
+  const std::chrono::nanoseconds begin = wall_time();
+  const double cpu_before = workers_cost().cpu_s;
+  const Pass pass = make_sequences(spec, worlds, folder, request, missing);
+  if (pass.failed > 0) return incomplete(folder, request, pass);
+  DatasetInvocation invocation = workers_cost();
+  invocation.cpu_s -= cpu_before;
+  invocation.made = pass.made;
+  invocation.workers = request.workers;
+  invocation.wall_s = seconds(wall_time() - begin);
+  const DatasetContents contents =
+      load_contents(folder, spec, sequence_names(request.sequences), worlds.maps());
+  finish_dataset(folder, contents, request.pages);
+  print_out("{}", request.json ? dataset_json(folder, contents, invocation)
+                               : describe_dataset(folder, contents, invocation));
+  return kDone;
+}
+
+}  // namespace
+
+int make_dataset(const DatasetRequest& request) {
+  const DatasetSpec spec = load_dataset_spec(request.spec, request.overrides);
+  const DatasetIdentity identity{CASTAWAY_VERSION, spec.seed, request.sequences, spec.effective};
+  check_identity(request.out, identity);
+  std::optional<KeptWork> kept;
+  if (std::filesystem::exists(request.out / "dataset.json")) {
+    kept.emplace("finished sequences are kept in " + request.out.string() +
+                 "; the same command resumes");
+  }
+  DatasetWorlds worlds(spec.base);
+  check_all(spec, request.sequences, worlds);
+  try {
+    const DatasetFolder folder(request.out, identity);
+    if (!folder.is_finished()) {
+      try {
+        return make_in(folder, spec, worlds, request);
+      } catch (const Interrupted& interrupted) {
+        report_kept(interrupted, folder, request);
+      }
+    }
+    if (!request.json) {
+      print_out("{}: all {} sequences are already finished\n", request.out.string(),
+                request.sequences);
+      return kDone;
+    }
+    const DatasetContents contents =
+        load_contents(folder, spec, sequence_names(request.sequences), worlds.maps());
+    print_out("{}", dataset_json(folder, contents, {}));
+    return kDone;
+  } catch (const FileError& error) {
+    say(error.what());
+    return kRunFailed;
+  }
+}
+
+}  // namespace castaway::testbed
