@@ -6,15 +6,15 @@ mark_as_advanced(CASTAWAY_TEST_SHARDS)
 set(CASTAWAY_TEST_TIMES ${PROJECT_BINARY_DIR}/test_times)  # What each test took, for scripts/slowest_tests.
 file(MAKE_DIRECTORY ${CASTAWAY_TEST_TIMES})
 
-# With sanitizers a test takes five to ten times as long, and so does its compiling: there, only tests are built and run that go where
-# memory is at stake: readers, writers, processes, threads, other libraries, and a pass of each localizer.
+# With sanitizers a test takes five to ten times as long. Only tests where memory errors are likely are built and run with them:
+# readers, writers, processes, threads, other libraries, and a pass of each localizer.
 option(CASTAWAY_ALL_TESTS "Build and run all tests with sanitizers, too" OFF)
 set(CASTAWAY_SOME_TESTS OFF)
 if(CMAKE_BUILD_TYPE STREQUAL "Debug" AND NOT CASTAWAY_ALL_TESTS)
   set(CASTAWAY_SOME_TESTS ON)
 endif()
 
-# Leaves sources of a test program out, with sanitizers: those whose paths match one of the regular expressions.
+# Removes the sources whose paths match one of the regular expressions from a test program in builds with sanitizers.
 function(castaway_not_with_sanitizers name)
   if(CASTAWAY_SOME_TESTS)
     get_target_property(sources ${name} SOURCES)

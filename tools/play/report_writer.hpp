@@ -1,4 +1,4 @@
-/// Who writes the page of a run. Pages stand above what plays runs, so who starts one says it.
+/// The function that writes the page of a run. Pages are on a higher floor: commands pass it down.
 #pragma once
 
 #include <filesystem>

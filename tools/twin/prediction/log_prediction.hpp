@@ -11,7 +11,7 @@
 
 namespace castaway::testbed {
 
-/// Who draws what is found. Pages stand above it.
+/// Functions that draw the results. Pages are on a higher floor: commands pass them down.
 struct PredictionPages {
   /// The page of a twin's calibration; `map`: that of the log.
   std::function<std::string(const Twin& twin, const RosMap& map)> calibration;
