@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tools/base/files/attempts.hpp"
 #include "tools/base/process/cpu_clock.hpp"
 
 namespace castaway::testbed {
@@ -155,12 +154,9 @@ void Loop::finish(const SensorSource& source) {
   }
   timing.cpu_s["localizers"] = localization::seconds(localizers_cpu_);
   timing.cpu_s["sinks"] = localization::seconds(sinks_cpu_);
-  Attempts outputs;
-  for (auto& sink : sinks_) {
-    outputs.make([&] { sink->finish(std::max(now_, source.duration()), timing); });
-  }
+  tell_sinks([&](RunSink& sink) { sink.finish(std::max(now_, source.duration()), timing); });
   is_finished_ = true;
-  outputs.rethrow();
+  outputs_.rethrow();
 }
 
 /// Those of the start are told after the first frame, which has the first known stamp.
@@ -297,10 +293,14 @@ ScanRecord Loop::record_of(const ScanFrame& frame, Stamp delivered) {
   return record;
 }
 
+/// A sink that throws hears no more; the others go on.
 template <typename Body>
 void Loop::tell_sinks(Body&& body) {
   const std::chrono::nanoseconds begin = thread_cpu_time();
-  for (auto& sink : sinks_) body(*sink);
+  broken_.resize(sinks_.size());
+  for (std::size_t i = 0; i < sinks_.size(); ++i) {
+    if (!broken_[i]) broken_[i] = !outputs_.make([&] { body(*sinks_[i]); });
+  }
   sinks_cpu_ += thread_cpu_time() - begin;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "localization/geometry/transform_buffer.hpp"
+#include "tools/base/files/attempts.hpp"
 #include "tools/run/localizer_failure.hpp"
 #include "tools/run/localizer_order.hpp"
 #include "tools/run/outside_use.hpp"
@@ -63,11 +64,11 @@ class Loop {
        std::vector<std::unique_ptr<RunSink>>& sinks);
 
   /// Plays the source to its end, then finishes the sinks. A localizer that throws LocalizerFailure
-  /// is left out from then on.
+  /// is left out from then on, and so is a sink that throws a std::exception.
   void run(SensorSource& source);
 
   /// The same in parts: `begin` once, `step` for each frame until it returns false, then `finish`.
-  /// `finish` throws what the first sink throws that fails, once the others are finished, too.
+  /// `finish` throws what the first sink threw that failed, once the others are finished.
   void begin();
   bool step(SensorSource& source);
   void finish(const SensorSource& source);
@@ -129,6 +130,8 @@ class Loop {
   std::size_t next_order_ = 0;
   std::chrono::nanoseconds begin_{};  ///< Wall time.
   std::vector<LostLocalizer> lost_;
+  std::vector<bool> broken_;  ///< By sink: it threw.
+  Attempts outputs_;          ///< Of all sinks.
   bool is_finished_ = false;
   std::vector<RunEvent> untold_;  ///< Events of the loop's own that sinks do not know yet.
   std::chrono::nanoseconds localizers_cpu_{};

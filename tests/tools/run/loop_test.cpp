@@ -109,6 +109,26 @@ TEST_F(LoopTest, ASinkThatFailsToFinishLeavesTheOthers) {
   EXPECT_EQ(sink_->calls.back(), "finish 1000");
 }
 
+/// Fails at its second odometry, as on a full disk.
+struct BreakingSink : ListSink {
+  void on_odometry(const OdometryFrame& frame) override {
+    if (!calls.empty()) throw std::runtime_error("disk full");
+    ListSink::on_odometry(frame);
+  }
+};
+
+TEST_F(LoopTest, ASinkThatFailsInTheRunLeavesTheOthersAndHearsNoMore) {
+  auto breaking = std::make_unique<BreakingSink>();
+  const BreakingSink& broken = *breaking;
+  sinks_.insert(sinks_.begin(), std::move(breaking));
+  Loop loop(config_, localizers_, sinks_);
+  EXPECT_THROW(loop.run(source_), std::runtime_error);
+  EXPECT_TRUE(loop.is_finished());
+  EXPECT_EQ(broken.calls, (std::vector<std::string>{"odometry"}));
+  EXPECT_EQ(sink_->calls, (std::vector<std::string>{"odometry", "odometry", "scan", "event kidnap",
+                                                    "odometry", "finish 1000"}));
+}
+
 TEST_F(LoopTest, DrivesByALocalizersCommandsAtEveryOdometry) {
   localizers_.front().velocity = [] { return BaseVelocity{0.3, 0.1}; };
   config_.orders = {{Stamp(12), localizers_.front().name, LocalizerOrder::What::kOff, {}}};

@@ -8,13 +8,15 @@ namespace castaway::testbed {
 /// Keeps the first failure of what it is given.
 class Attempts {
  public:
-  /// Calls `make`.
+  /// Calls `make`. False if it threw a std::exception.
   template <typename Make>
-  void make(Make&& make) {
+  bool make(Make&& make) {
     try {
       make();
+      return true;
     } catch (const std::exception&) {
       if (!first_) first_ = std::current_exception();
+      return false;
     }
   }
   [[nodiscard]] bool failed() const { return first_ != nullptr; }
