@@ -6,6 +6,7 @@
 
 #include "tools/base/files/json_text.hpp"
 #include "tools/base/process/cpu_clock.hpp"
+#include "tools/base/process/git_commit.hpp"
 #include "tools/run/metrics/statistics/statistics.hpp"
 
 namespace castaway::testbed {
@@ -14,6 +15,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 double milliseconds(std::chrono::nanoseconds time) { return 1e3 * seconds(time); }
+
+/// When, where and at which commit of the user's repository, if there is one.
+Json made_json() {
+  Json made = {{"date", utc_date()}, {"machine", machine_text()}};
+  std::error_code none;
+  const std::string commit = git_commit(std::filesystem::current_path(none));
+  if (!commit.empty()) made["commit"] = commit;
+  return made;
+}
 
 Json update_figures(const ThinnedSample& sample) {
   const auto figures = statistics(sample.values());
@@ -63,7 +73,7 @@ void TimingSink::finish(Stamp end, const RunTiming& timing) {
       {"physics", 0.0}, {"lidar", 0.0}, {"people", 0.0}, {"localizers", 0.0}, {"sinks", 0.0}};
   for (const auto& [stage, cpu] : timing.cpu_s) root["cpu_s"][stage] = cpu;
   root["memory_mb"] = {{"peak", peak_memory_mb()}};
-  root["made"] = {{"date", utc_date()}, {"machine", machine_text()}};
+  root["made"] = made_json();
   root["localizers"] = Json::object();
   for (std::size_t i = 0; i < update_ms_.size(); ++i) {
     Json& localizer = root["localizers"][info_.localizers[i]];

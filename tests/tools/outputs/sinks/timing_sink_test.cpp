@@ -5,6 +5,7 @@
 
 #include "tests/tools/support/records.hpp"
 #include "tests/tools/support/temporary.hpp"
+#include "tools/base/process/git_commit.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -45,6 +46,7 @@ TEST(TimingSink, SumsUpWhatTheClockMeasured) {
   EXPECT_GT(timing.at("/memory_mb/peak"_json_pointer).get<double>(), 1.0);
   EXPECT_TRUE(timing.at("/made/date"_json_pointer).get<std::string>().ends_with(" UTC"));
   EXPECT_TRUE(contains(timing.at("/made/machine"_json_pointer).get<std::string>(), " core"));
+  EXPECT_EQ(timing.at("made").value("commit", ""), git_commit(std::filesystem::current_path()));
   const std::string csv = read_file(folder.path() / "timing.csv");
   EXPECT_TRUE(contains(csv,
                        "stamp_s,localizer,stage,cpu_ms\n14.000000,a,update,4.000000\n"
