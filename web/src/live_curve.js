@@ -35,7 +35,7 @@ export class LiveCurve {
       ...entries.map(([value, text]) => element('option', {value, selected: value === this.window}, text)));
     this.plots = element('div', {class: 'plots'});
     place.append(element('div', {class: 'curve-head'},
-      choose('Curve', kCurves.map(({title}, i) => [i, title]), (i) => {
+      choose('Curve', kCurves.map(({title, unit}, i) => [i, unit ? `${title} [${unit}]` : title]), (i) => {
         this.curve = kCurves[Number(i)];
         this.draw();
       }),

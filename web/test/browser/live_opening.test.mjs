@@ -55,6 +55,13 @@ test('the map is as high as the controls beside it, and shows all of the world i
   assert.ok(bottom - top > 0.9 * high && bottom - top < high, `${bottom - top} of ${high} px`);
 });
 
+test('the map, the curve and the time line are above the fold of 1366 x 768', async () => {
+  for (const part of ['canvas.map', '.curve canvas', '#castaway-live .timeline']) {
+    const {top, bottom} = await boxOf(part);
+    assert.ok(top >= 0 && bottom > top + 60 && bottom <= 768, `${part}: ${top} to ${bottom}`);
+  }
+});
+
 test('the large button plays the run by the keyboard, and is gone then', async () => {
   assert.ok(await isShown('.start'));
   await browser.evaluate(`document.querySelector('.start').focus()`);
