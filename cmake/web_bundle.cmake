@@ -2,88 +2,6 @@
 # web/package-lock.json can be had.
 # Sets CASTAWAY_WEB_SOURCE: the C++ file that carries the bundles, or the one that says that there are none.
 option(CASTAWAY_WEB "Bundle the report's player and plots, which takes Node.js 18 or later and npm" ON)
-set(CASTAWAY_WEB_FILES
-  build.mjs package-lock.json
-  src/bytes.js
-  src/campaign.css
-  src/campaign_choices.js
-  src/campaign_main.js
-  src/campaign_plots.js
-  src/controls.js
-  src/curve_rows.js
-  src/curves.js
-  src/details.js
-  src/dom.js
-  src/error_layer.js
-  src/error_scale.js
-  src/event_words.js
-  src/ground.js
-  src/hash_time.js
-  src/heat_maps.js
-  src/icons.js
-  src/keys.js
-  src/layers.js
-  src/legend.js
-  src/live.css
-  src/live_banner.js
-  src/live_connection.js
-  src/live_curve.js
-  src/live_drive.js
-  src/live_files.js
-  src/live_frame.js
-  src/live_hands.js
-  src/live_log.js
-  src/live_main.js
-  src/live_recording.js
-  src/live_start.js
-  src/live_tools.js
-  src/live_view.js
-  src/main.js
-  src/map_image.js
-  src/map_view.js
-  src/marks.js
-  src/measures.js
-  src/palette.js
-  src/panel.js
-  src/playback.js
-  src/player.css
-  src/player.js
-  src/plot.js
-  src/plot_columns.js
-  src/plot_marks.js
-  src/plot_spec.js
-  src/plot_svg.js
-  src/plots.css
-  src/plots.js
-  src/plots_main.js
-  src/poses.js
-  src/recording.js
-  src/saving.js
-  src/table_rows.js
-  src/tables.js
-  src/theme.js
-  src/timeline.js
-  src/varint.js
-  src/view.js
-  src/view3d/camera.js
-  src/view3d/changing.js
-  src/view3d/content.js
-  src/view3d/gait.js
-  src/view3d/geometry.js
-  src/view3d/hands3d.js
-  src/view3d/light.js
-  src/view3d/marks.js
-  src/view3d/meshes.js
-  src/view3d/obstacles.js
-  src/view3d/pace.js
-  src/view3d/people.js
-  src/view3d/robots.js
-  src/view3d/shaders.js
-  src/view3d/view3d.css
-  src/view3d/view3d.js
-  src/view3d/views.js
-  src/view3d/world.js
-  src/world_changes.js)
 set(CASTAWAY_WEB_MODULES ${PROJECT_BINARY_DIR}/web)
 set(CASTAWAY_WEB_SOURCE ${PROJECT_SOURCE_DIR}/tools/pages/html/web_bundle_none.cpp)
 set(CASTAWAY_HAS_PLAYER OFF CACHE INTERNAL "The build bundles player and plots")
@@ -133,11 +51,11 @@ if(CASTAWAY_WEB)
   else()
     set(CASTAWAY_WEB_SOURCE ${PROJECT_BINARY_DIR}/web_bundle.cpp)
     set(CASTAWAY_HAS_PLAYER ON CACHE INTERNAL "The build bundles player and plots")
-    list(TRANSFORM CASTAWAY_WEB_FILES PREPEND ${PROJECT_SOURCE_DIR}/web/ OUTPUT_VARIABLE web_sources)
+    file(GLOB_RECURSE web_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/web/src/*.js ${PROJECT_SOURCE_DIR}/web/src/*.css)
     add_custom_command(
       OUTPUT ${CASTAWAY_WEB_SOURCE}
       COMMAND ${CASTAWAY_NODE} ${PROJECT_SOURCE_DIR}/web/build.mjs ${CASTAWAY_WEB_MODULES} ${CASTAWAY_WEB_SOURCE}
-      DEPENDS ${web_sources}
+      DEPENDS ${web_sources} ${PROJECT_SOURCE_DIR}/web/build.mjs ${PROJECT_SOURCE_DIR}/web/package-lock.json
       COMMENT "Bundling the report's player and plots" VERBATIM)
   endif()
 else()
