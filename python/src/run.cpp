@@ -8,7 +8,6 @@
 #include "python/src/python_localizer.hpp"
 #include "python/src/scenario.hpp"
 #include "python/src/signals.hpp"
-#include "tools/base/output/own_file.hpp"
 #include "tools/pages/run/report.hpp"
 #include "tools/play/play.hpp"
 #include "tools/play/verdict_output.hpp"
@@ -74,13 +73,6 @@ Played play(const ScenarioRequest& request, const PythonLocalizers& localizers,
   return played;
 }
 
-/// Replaces the page only if castaway wrote it.
-void report(const std::filesystem::path& folder) {
-  const std::filesystem::path page = folder / "report.html";
-  testbed::require_own_file(page);
-  testbed::put_own_file(page, [&] { testbed::write_report(folder, {}); });
-}
-
 }  // namespace
 
 void bind_run(py::module_& module) {
@@ -90,7 +82,8 @@ void bind_run(py::module_& module) {
       .def_readonly("warnings", &Played::warnings);
   module.def("play", &play, py::arg("request"), py::arg("localizers"), py::arg("out"),
              py::arg("force"), "Simulates a scenario and leaves its files in the folder `out`.");
-  module.def("write_report", &report, py::arg("folder"), "Writes report.html of a run folder.");
+  module.def("write_report", &testbed::remake_report, py::arg("folder"),
+             "Writes report.html of a run folder.");
 }
 
 }  // namespace castaway::python

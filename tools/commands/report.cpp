@@ -2,9 +2,7 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "tools/base/formats/json_file.hpp"
 #include "tools/base/output/own_file.hpp"
 #include "tools/base/output/say.hpp"
 #include "tools/batch/compare/comparison.hpp"
@@ -22,13 +20,6 @@ struct ReportArguments {
   std::vector<std::string> runs;
   std::string out;
 };
-
-/// Replaces a run's page only if castaway wrote it.
-void remake_report(const fs::path& run) {
-  const fs::path page = run / "report.html";
-  require_own_file(page);
-  put_own_file(page, [&] { read_fields(run / "summary.json", [&] { write_report(run, {}); }); });
-}
 
 /// The run folders among the arguments: those given, and those inside folders of runs (`run
 /// --seeds`). Files matched by a shell's `DIR/*` are skipped.
@@ -55,7 +46,7 @@ int make_reports(const ReportArguments& arguments) {
   }
   if (folders.size() < 2 && arguments.out.empty()) return kDone;
   const fs::path page = arguments.out.empty() ? fs::path("runs.html") : fs::path(arguments.out);
-  put_own_file(page, [&] { write_runs_page({.folders = folders, .page = page}); });
+  write_own_file(page, render_runs_page({.folders = folders, .page = page}));
   print_out("{}\n", page.string());
   return kDone;
 }

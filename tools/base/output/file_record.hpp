@@ -26,7 +26,7 @@ struct FileRecord {
   std::string program;              ///< Hash of the program; only while unfinished.
   FileHashes files;                 ///< Files that the next run replaces and removes together.
   FileHashes single_files{};        ///< Files written one at a time (`--junit`, `castaway map`).
-  FileHashes coming{};              ///< Files on their way into the folder; only while unfinished.
+  FileHashes coming{};              ///< Files on their way into the folder.
   std::vector<std::string> runs{};  ///< Subfolders that were made together with it.
 };
 

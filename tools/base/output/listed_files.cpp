@@ -52,11 +52,13 @@ std::optional<std::string> name_of_part(const std::string& path) {
   return number ? std::optional<std::string>(path.substr(0, mark)) : std::nullopt;
 }
 
+bool is_part_of_list(const std::string& name) { return name_of_part(name) == kRecordName; }
+
 /// True for what a killed process was writing: a file of the record, or the record of any folder.
 bool is_leftover(const std::string& path, const FileRecord& record) {
   const auto name = name_of_part(path);
-  return name &&
-         (fs::path(*name).filename() == kRecordName || !listed_hashes(record, *name).empty());
+  return name && (is_part_of_list(fs::path(path).filename().string()) ||
+                  !listed_hashes(record, *name).empty());
 }
 
 std::optional<ForeignFile> foreign_file(const fs::path& file, const std::string& path,
@@ -85,6 +87,10 @@ std::optional<ForeignFile> find_foreign_in(const fs::path& root, const fs::path&
 
 }  // namespace
 
+bool is_bookkeeping(const std::string& name) {
+  return name == kRecordName || name == kStagingName || is_part_of_list(name);
+}
+
 std::optional<ForeignFile> find_foreign(const fs::path& folder,
                                         const std::optional<FileRecord>& record) {
   return find_foreign_in(folder, folder, record.value_or(FileRecord{}));
@@ -93,7 +99,7 @@ std::optional<ForeignFile> find_foreign(const fs::path& folder,
 void clear_leftovers(const fs::path& folder) {
   for (const fs::path& entry : sorted_entries(folder)) {
     std::error_code none;
-    if (name_of_part(entry.filename().string()) == kRecordName) fs::remove(entry, none);
+    if (is_part_of_list(entry.filename().string())) fs::remove(entry, none);
   }
 }
 
@@ -118,7 +124,9 @@ FileRecord settle(const fs::path& folder, FileRecord record) {
   for (const auto& [path, hash] : std::exchange(record.coming, {})) {
     FileRecord one;
     one.files[path] = hash;
-    if (fs::exists(folder / path) && is_replaceable(folder, path, one)) record.files[path] = hash;
+    if (!fs::exists(folder / path) || !is_replaceable(folder, path, one)) continue;
+    const bool single = record.finished && !record.files.contains(path);
+    (single ? record.single_files : record.files)[path] = hash;
   }
   return record;
 }

@@ -15,6 +15,10 @@ struct ForeignFile {
   bool changed = false;  ///< True if castaway wrote the file but its content has changed since.
 };
 
+/// True for the name of a list, of the folder of drafts, and of what a killed process left of a
+/// list.
+bool is_bookkeeping(const std::string& name);
+
 /// The first file, by name, that castaway did not write or that was changed since. Folders with
 /// their own list and empty folders are ignored; links are not.
 std::optional<ForeignFile> find_foreign(const std::filesystem::path& folder,
@@ -28,7 +32,8 @@ void clear_leftovers(const std::filesystem::path& folder);
 bool is_replaceable(const std::filesystem::path& folder, const std::string& path,
                     const std::optional<FileRecord>& record);
 
-/// Ends what a killed process left: each of `coming` that arrived unchanged becomes one of `files`.
+/// Ends what a killed process left: each of `coming` that arrived unchanged becomes one of `files`,
+/// or, where the command of the folder had finished, of `single_files`.
 FileRecord settle(const std::filesystem::path& folder, FileRecord record);
 
 }  // namespace castaway::testbed

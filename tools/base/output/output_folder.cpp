@@ -1,8 +1,11 @@
 #include "tools/base/output/output_folder.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "tools/base/files/durable.hpp"
+#include "tools/base/files/file_error.hpp"
 #include "tools/base/output/listed_path.hpp"
 #include "tools/base/output/make_folder.hpp"
 
@@ -54,12 +57,17 @@ void remove_empty_folders(fs::path from, const fs::path& to) {
   }
 }
 
-/// Removes the files of a list and the folders that become empty.
+/// Removes the files of a list and the folders that become empty. Throws FileError where a file
+/// stays: its list must stay, too.
 void remove_listed(const fs::path& folder, const FileRecord& record) {
   for (const auto& [path, hash] : record.files) {
     if (!is_replaceable(folder, path, record)) continue;
-    std::error_code none;
-    fs::remove(folder / path, none);
+    std::error_code error;
+    fs::remove(folder / path, error);
+    if (error) {
+      throw FileError(fmt::format("{}: cannot be removed ({}); repeat the command when it can",
+                                  (folder / path).string(), error.message()));
+    }
     remove_empty_folders((folder / path).parent_path(), folder);
   }
 }
@@ -154,8 +162,10 @@ void OutputFolder::commit(bool complete) {
   }
   record.coming = files;
   save_record(request_.target, record);
-  if (record_) remove_listed(request_.target, *record_);
+  const FileRecord earlier = std::exchange(record_, record).value_or(FileRecord{});
+  remove_listed(request_.target, earlier);
   move(files);
+  fs::remove_all(staging_);
   record.files = std::move(record.coming);
   record.coming.clear();
   record.finished = complete;

@@ -4,9 +4,11 @@
 
 #include "tools/base/files/durable.hpp"
 #include "tools/base/files/file.hpp"
+#include "tools/base/files/file_error.hpp"
 #include "tools/base/output/file_record.hpp"
 #include "tools/base/output/folder_lock.hpp"
 #include "tools/base/output/listed_files.hpp"
+#include "tools/base/output/make_folder.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -29,23 +31,71 @@ void require_own(const fs::path& file, const std::optional<FileRecord>& record) 
 
 void require_own_file(const fs::path& file) { require_own(file, load_record(folder_of(file))); }
 
-void put_own_file(const fs::path& file, const std::function<void()>& put) {
+namespace {
+
+/// The hidden folder of drafts in a locked folder, which is removed with all that is in it. The
+/// list comes first: it says whose the folder of drafts is.
+class Drafts {
+ public:
+  Drafts(const fs::path& folder, const std::optional<FileRecord>& record)
+      : place_(folder / kStagingName) {
+    if (!record) {
+      if (fs::exists(fs::symlink_status(place_))) {
+        throw std::runtime_error(place_.string() +
+                                 ": castaway did not make it; move it away or name another folder");
+      }
+      save_record(folder, {});
+    }
+    fs::remove_all(place_);
+    make_folder(place_);
+  }
+  ~Drafts() {
+    std::error_code none;
+    fs::remove_all(place_, none);
+  }
+  Drafts(const Drafts&) = delete;
+  Drafts& operator=(const Drafts&) = delete;
+  [[nodiscard]] const fs::path& folder() const { return place_; }
+
+ private:
+  fs::path place_;
+};
+
+/// Lists the file as coming before it comes, so that its list is right whenever the process ends.
+void move_own_file(const fs::path& draft, const fs::path& file, FileRecord record) {
+  const fs::path folder = folder_of(file);
+  const std::string name = file.filename().string();
+  const std::string hash = hash_file(draft.parent_path(), name);
+  record.coming[name] = hash;
+  save_record(folder, record);
+  std::error_code error;
+  fs::rename(draft, file, error);
+  if (error) throw FileError(file.string() + ": cannot be written (" + error.message() + ")");
+  record.coming.clear();
+  FileHashes& files = record.files.contains(name) ? record.files : record.single_files;
+  files[name] = hash;
+  save_record(folder, record);
+}
+
+}  // namespace
+
+void put_own_file(const fs::path& file, const std::function<void(const fs::path& draft)>& write) {
   const fs::path folder = folder_of(file);
   std::error_code error;
   fs::create_directories(folder, error);  // If this fails, the lock reports the error.
   const FolderLock lock(folder, kLockWait);
-  const std::optional<FileRecord> known = load_record(folder);
-  require_own(file, known);
-  put();
-  FileRecord record = known.value_or(FileRecord{});
-  const std::string name = file.filename().string();
-  FileHashes& files = record.files.contains(name) ? record.files : record.single_files;
-  files[name] = hash_file(folder, name);
-  save_record(folder, record);
+  std::optional<FileRecord> record = load_record(folder);
+  if (record) record = settle(folder, std::move(*record));
+  require_own(file, record);
+  clear_leftovers(folder);
+  const Drafts drafts(folder, record);
+  const fs::path draft = drafts.folder() / file.filename();
+  write(draft);
+  move_own_file(draft, file, record.value_or(FileRecord{}));
 }
 
 void write_own_file(const fs::path& file, std::string_view bytes) {
-  put_own_file(file, [&] { write_file(file, bytes); });
+  put_own_file(file, [&](const fs::path& draft) { write_file(draft, bytes); });
 }
 
 }  // namespace castaway::testbed

@@ -16,7 +16,9 @@ void require_own_file(const std::filesystem::path& file);
 /// FileError.
 void write_own_file(const std::filesystem::path& file, std::string_view bytes);
 
-/// As `write_own_file`, for a file that `put` writes.
-void put_own_file(const std::filesystem::path& file, const std::function<void()>& put);
+/// As `write_own_file`; `write` is called with the path of a draft. A process that ends at any
+/// moment leaves the old file or the new one, and the list knows it as castaway's.
+void put_own_file(const std::filesystem::path& file,
+                  const std::function<void(const std::filesystem::path& draft)>& write);
 
 }  // namespace castaway::testbed

@@ -74,8 +74,12 @@ RunsFolder::~RunsFolder() {
 bool RunsFolder::has_run(std::size_t index) const {
   if (!goes_on_) return false;
   const PlannedRun& run = runs_[index];
-  const auto record = load_record(request_.target / run.folder);
-  return record && record->finished && record->settings == run.settings;
+  const fs::path folder = request_.target / run.folder;
+  const auto record = load_record(folder);
+  if (!record || !record->finished || record->settings != run.settings) return false;
+  std::error_code none;  // What is left if it was killed just after it had finished.
+  fs::remove_all(folder / kStagingName, none);
+  return true;
 }
 
 void RunsFolder::put(const std::string& name, std::string_view bytes) {

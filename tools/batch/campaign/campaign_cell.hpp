@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/scenario/campaign_spec.hpp"
+#include "tools/scenario/campaign_yaml.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
 namespace castaway::testbed {

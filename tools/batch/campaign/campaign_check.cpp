@@ -13,7 +13,7 @@
 #include "tools/batch/campaign/campaign_cell.hpp"
 #include "tools/batch/campaign/campaign_rank.hpp"
 #include "tools/play/play.hpp"
-#include "tools/scenario/sections/expect_spec.hpp"
+#include "tools/scenario/sections/expect_yaml.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace castaway::testbed {
 
@@ -23,6 +22,7 @@ struct CampaignIdentity {
 ///     cells/000042-0123456789abcdef/     what is kept of a cell
 ///     .work-rows.jsonl/                  drafts of the process that adds to rows.jsonl
 ///     results.csv, ...                   tables, once all cells are there
+///     .castaway.json                     the list of the identity and the tables
 class CampaignFolder {
  public:
   /// Creates the folder or goes on in it. Throws std::runtime_error with one line if it holds other
@@ -32,21 +32,11 @@ class CampaignFolder {
   explicit CampaignFolder(std::filesystem::path folder);
 
   [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
-  /// Writes a table; `write` is called with the path of a draft. Throws std::runtime_error if it
-  /// would replace a file that castaway did not write or that was changed since.
-  template <typename Write>
-  void put(const std::string& name, Write write) {
-    clear_draft(name);
-    write(draft_of(name));
-    commit(name);
-  }
+  /// Writes a table; `write` is called with the path of a draft. Throws as `put_own_file` does.
+  void put(const std::string& name,
+           const std::function<void(const std::filesystem::path& draft)>& write) const;
 
  private:
-  [[nodiscard]] std::filesystem::path draft_of(const std::string& name) const;
-  /// Removes what a killed process left, or a link that would be written through.
-  void clear_draft(const std::string& name) const;
-  void commit(const std::string& name) const;
-
   std::filesystem::path folder_;
 };
 

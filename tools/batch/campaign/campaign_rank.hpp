@@ -7,7 +7,7 @@
 
 #include "tools/batch/campaign/rows/rows_file.hpp"
 #include "tools/run/metrics/statistics/factor_effects.hpp"
-#include "tools/scenario/campaign_spec.hpp"
+#include "tools/scenario/campaign_yaml.hpp"
 
 namespace castaway::testbed {
 

@@ -7,7 +7,7 @@
 
 #include "tools/batch/campaign/finished_campaign.hpp"
 #include "tools/play/report_writer.hpp"
-#include "tools/scenario/campaign_spec.hpp"
+#include "tools/scenario/campaign_yaml.hpp"
 
 namespace castaway::testbed {
 

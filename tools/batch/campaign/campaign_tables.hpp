@@ -8,7 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "tools/batch/campaign/rows/rows_file.hpp"
-#include "tools/scenario/campaign_spec.hpp"
+#include "tools/scenario/campaign_yaml.hpp"
 
 namespace castaway::testbed {
 

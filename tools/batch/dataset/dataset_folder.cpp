@@ -65,7 +65,7 @@ constexpr double kLockTimeout = 10.0;  // [s]
 /// A folder without a data set may hold only what an unfinished attempt of castaway left there.
 void check_unused(const fs::path& folder) {
   const std::optional<FileRecord> record = load_record(folder);
-  std::set<std::string> own{kRecordName};
+  std::set<std::string> own;
   if (record && record->made_by == kMadeBy) {
     own.insert({".work", "sequences"});
     if (is_replaceable(folder, "dataset.yaml", record)) own.insert("dataset.yaml");
@@ -73,8 +73,8 @@ void check_unused(const fs::path& folder) {
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder, none)) {
     const std::string name = entry.path().filename().string();
-    if (!own.contains(name) && !name.starts_with(std::string(kRecordName) + ".part-"))
-      refuse(folder, fmt::format("holds '{}' and no data set", name));
+    if (own.contains(name) || is_bookkeeping(name)) continue;
+    refuse(folder, fmt::format("holds '{}' and no data set", name));
   }
 }
 

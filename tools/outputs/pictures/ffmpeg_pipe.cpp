@@ -162,7 +162,7 @@ void FfmpegPipe::add(const sim::Image& image) {
 
 void FfmpegPipe::commit() {
   if (wait() != 0) fail();
-  put_own_file(format_.file, [&] { std::filesystem::rename(partial_, format_.file); });
+  put_own_file(format_.file, [&](const auto& draft) { std::filesystem::rename(partial_, draft); });
 }
 
 }  // namespace castaway::testbed

@@ -6,6 +6,8 @@
 
 #include "tools/base/files/file.hpp"
 #include "tools/base/formats/html.hpp"
+#include "tools/base/formats/json_file.hpp"
+#include "tools/base/output/own_file.hpp"
 #include "tools/outputs/records/failed_localizers.hpp"
 #include "tools/outputs/records/recording.hpp"
 #include "tools/pages/html/html_page.hpp"
@@ -71,8 +73,10 @@ std::string path_section(const RunFolder& run, const ReportMaps& maps) {
 std::string made_text(const RunFolder& run) {
   if (!run.timing.contains("made")) return "";
   const auto& made = run.timing.at("made");
-  return fmt::format("<p id=\"castaway-made\">made on {}, {}</p>\n",
-                     escape_html(made.value("date", "?")), escape_html(made.value("machine", "?")));
+  const std::string commit = made.value("commit", "");
+  return fmt::format("<p id=\"castaway-made\">made on {}, {}{}</p>\n",
+                     escape_html(made.value("date", "?")), escape_html(made.value("machine", "?")),
+                     commit.empty() ? "" : ", at commit " + escape_html(commit));
 }
 
 std::string timing_section(const RunFolder& run) {
@@ -117,6 +121,15 @@ void write_report(const std::filesystem::path& run_folder, const ReportMaps& map
   const RunFolder run = load_run_folder(run_folder);
   write_file(run_folder / "report.html",
              render_report(run, maps.map ? maps : recorded_maps(run, run_folder)));
+}
+
+void remake_report(const std::filesystem::path& run_folder) {
+  const std::filesystem::path page = run_folder / "report.html";
+  require_own_file(page);
+  read_fields(run_folder / "summary.json", [&] {
+    const RunFolder run = load_run_folder(run_folder);
+    write_own_file(page, render_report(run, recorded_maps(run, run_folder)));
+  });
 }
 
 }  // namespace castaway::testbed

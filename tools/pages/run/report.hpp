@@ -17,4 +17,8 @@ std::string render_report(const RunFolder& run, const ReportMaps& maps);
 /// recording's are shown, if there is one. Call it after all sinks have finished.
 void write_report(const std::filesystem::path& run_folder, const ReportMaps& maps);
 
+/// Writes the page of a finished run anew. Throws std::runtime_error with one line if castaway did
+/// not write the one that is there, or a file of the run cannot be read.
+void remake_report(const std::filesystem::path& run_folder);
+
 }  // namespace castaway::testbed

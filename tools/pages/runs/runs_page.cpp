@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "tools/base/files/file.hpp"
 #include "tools/base/formats/html.hpp"
 #include "tools/pages/html/html_page.hpp"
 #include "tools/pages/run/report_words.hpp"
@@ -105,7 +104,5 @@ std::string render_runs_page(const ShownRuns& page) {
   return html_page(
       {.title = title, .body = body, .body_class = "figures", .bundle = campaign_bundle()});
 }
-
-void write_runs_page(const ShownRuns& page) { write_file(page.page, render_runs_page(page)); }
 
 }  // namespace castaway::testbed

@@ -12,7 +12,4 @@ namespace castaway::testbed {
 /// naming the file of a run that cannot be read.
 std::string render_runs_page(const ShownRuns& page);
 
-/// Writes it to `page.page`.
-void write_runs_page(const ShownRuns& page);
-
 }  // namespace castaway::testbed

@@ -7,7 +7,7 @@
 
 #include "tools/outputs/records/summary_kidnaps.hpp"
 #include "tools/run/metrics/statistics/paired_shares.hpp"
-#include "tools/run/metrics/statistics/sign_flip_test.hpp"
+#include "tools/run/metrics/statistics/sign_flip.hpp"
 
 namespace castaway::testbed {
 namespace {

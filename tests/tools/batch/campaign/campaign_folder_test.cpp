@@ -23,7 +23,7 @@ TEST(CampaignFolder, ReplacesItsOwnTables) {
   put_table(folder, "two");
   EXPECT_EQ(read_file(folder.path() / "results.csv"), "two");
   temporary.put("c/results.csv", "mine");
-  EXPECT_TRUE(contains(error_of([&] { put_table(folder, "three"); }), "did not write it"));
+  EXPECT_TRUE(contains(error_of([&] { put_table(folder, "three"); }), "castaway did not write it"));
   EXPECT_EQ(read_file(folder.path() / "results.csv"), "mine");
 }
 
@@ -31,24 +31,34 @@ TEST(CampaignFolder, WritesThroughNoLink) {
   const TemporaryFolder temporary;
   temporary.put("mine", "mine");
   CampaignFolder folder(temporary.path() / "c", kIdentity);
-  fs::create_symlink("../mine", temporary.path() / "c/.results.csv.part");
-  folder.put("results.csv", [](const fs::path& file) { std::ofstream(file) << "one"; });
+  fs::create_symlink("../mine", temporary.path() / "c/results.csv");
+  EXPECT_TRUE(contains(error_of([&] { put_table(folder, "one"); }), "castaway did not write it"));
   EXPECT_EQ(read_file(temporary.path() / "mine"), "mine");
-  EXPECT_EQ(read_file(folder.path() / "results.csv"), "one");
-  fs::remove(folder.path() / ".tables.json");
-  fs::create_symlink("../mine", folder.path() / ".tables.json");
-  EXPECT_TRUE(contains(error_of([&] { CampaignFolder(temporary.path() / "c", kIdentity); }),
-                       ".tables.json: is a link"));
+  fs::remove(folder.path() / ".castaway.json");
+  fs::create_symlink("../mine", folder.path() / ".castaway.json");
+  EXPECT_TRUE(contains(error_of([&] { put_table(folder, "one"); }), ".castaway.json: is a link"));
 }
 
 TEST(CampaignFolder, RefusesADamagedListInOneLine) {
   const TemporaryFolder temporary;
   CampaignFolder folder(temporary.path() / "c", kIdentity);
-  for (const char* text : {"[]", "3", "{\"results.csv\": 3}", "{\"a\": null}"}) {
-    temporary.put("c/.tables.json", text);
+  for (const char* text : {"[]", "3", R"({"castaway": "1", "files": {"results.csv": 3}})"}) {
+    temporary.put("c/.castaway.json", text);
     EXPECT_TRUE(contains(error_of([&] { put_table(folder, "one"); }),
-                         ".tables.json: is not castaway's list of the campaign's tables"));
+                         ".castaway.json: is not castaway's list"));
   }
+}
+
+TEST(CampaignFolder, NoticesThatItsSpecificationWasChanged) {
+  const TemporaryFolder temporary;
+  const fs::path place = temporary.path() / "c";
+  static_cast<void>(CampaignFolder(place, kIdentity));
+  temporary.put("c/campaign.yaml", "spec of another");
+  EXPECT_TRUE(contains(error_of([&] { CampaignFolder(place, kIdentity); }),
+                       "campaign.yaml: was changed since castaway wrote it"));
+  fs::remove(place / "campaign.yaml");
+  static_cast<void>(CampaignFolder(place, kIdentity));
+  EXPECT_EQ(read_file(place / "campaign.yaml"), "spec");
 }
 
 }  // namespace

@@ -350,6 +350,17 @@ TEST(Report, SaysWhenAndWhereItWasMadeAmongItsTimesAlone) {
   EXPECT_EQ(without_timing(html).find("castaway-made\""), std::string::npos);
 }
 
+TEST(Report, SaysTheCommitOfTheRun) {
+  const TemporaryFolder folder;
+  SummarySink(folder.path(), run_of(kReported)).finish(localization::from_seconds(1.0), {});
+  ErrorsSink(folder.path(), run_of(kReported)).finish(localization::from_seconds(1.0), {});
+  RunFolder run = load_run_folder(folder.path());
+  run.timing = {{"made", {{"date", "today"}, {"machine", "here"}, {"commit", "0123<"}}}};
+  EXPECT_TRUE(contains(render_report(run, {}), "made on today, here, at commit 0123&lt;</p>"));
+  run.timing["made"].erase("commit");
+  EXPECT_TRUE(contains(render_report(run, {}), "made on today, here</p>"));
+}
+
 TEST(Report, NamesTheFileThatIsBroken) {
   const TemporaryFolder folder;
   EXPECT_TRUE(contains(error_of([&] { write_report(folder.path(), {}); }), "summary.json"));

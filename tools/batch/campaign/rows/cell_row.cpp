@@ -3,9 +3,11 @@
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
+#include "tools/base/bytes/sha256.hpp"
 #include "tools/base/files/json_text.hpp"
 
 namespace castaway::testbed {
@@ -74,6 +76,23 @@ CellRow row_of(const Json& json) {
   return row;
 }
 
+/// The field of a row that comes last: its check sum over all before it.
+constexpr std::string_view kSum = ",\"sum\":\"";
+constexpr std::size_t kDigits = 16;
+
+std::string with_sum(const std::string& fields) {
+  return fields + std::string(kSum) + sha256(fields).substr(0, kDigits) + "\"}";
+}
+
+/// Throws std::runtime_error if the line is not as it was written.
+void require_sum(const std::string& line) {
+  const std::size_t sum = line.rfind(kSum);
+  if (sum != std::string::npos && with_sum(line.substr(0, sum)) == line) return;
+  throw std::runtime_error(
+      "is no row of a campaign as castaway wrote it; remove the line, and the same command makes "
+      "its cell again");
+}
+
 }  // namespace
 
 std::string to_string(CellOutcome state) {
@@ -113,10 +132,13 @@ std::string row_text(const CellRow& row) {
                   {"cpu_s", row.cpu_s},
                   {"wall_s", row.wall_s},
                   {"memory_mb", row.memory_mb}};
-  return json_text(json);
+  std::string text = json_text(json);
+  text.pop_back();  // The brace.
+  return with_sum(text);
 }
 
 CellRow parse_row(const std::string& line) {
+  require_sum(line);
   try {
     return row_of(Json::parse(line));
   } catch (const nlohmann::json::exception& error) {

@@ -51,9 +51,9 @@ struct CellRow {
 /// The number that a value of `CellRow::values` is; nothing if it is none.
 std::optional<double> number_of(const std::string& value);
 
-/// One line of JSON, without a line feed.
+/// One line of JSON, without a line feed; its last field is a check sum over the others.
 std::string row_text(const CellRow& row);
-/// The inverse. Throws std::runtime_error if the line is none.
+/// The inverse. Throws std::runtime_error if the line is none, or was changed since.
 CellRow parse_row(const std::string& line);
 
 }  // namespace castaway::testbed

@@ -47,6 +47,15 @@ TEST(CellRow, RefusesOtherLines) {
   }
 }
 
+TEST(CellRow, NoticesAnyChangedCharacter) {
+  const std::string text = row_text(some_row());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::string changed = text;
+    changed[i] = static_cast<char>(changed[i] ^ 1);
+    EXPECT_TRUE(contains(error_of([&] { parse_row(changed); }), "as castaway wrote it")) << i;
+  }
+}
+
 TEST(CellRow, KnowsTheNumbersAmongItsValues) {
   EXPECT_EQ(number_of("4.5"), 4.5);
   EXPECT_EQ(number_of("-1e3"), -1000.0);
