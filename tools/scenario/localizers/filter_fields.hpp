@@ -1,26 +1,19 @@
 /// Settings shared by the MH-AMCLs, and their ranges.
 #pragma once
 
-#include "localization/mh_amcl_config.hpp"
+#include "localization/mh_amcl/mh_amcl_config.hpp"
 #include "tools/scenario/yaml/settings.hpp"
 
 namespace castaway::testbed {
 
 inline constexpr NumberRange kShare{0.0, 1.0};
-inline constexpr NumberRange kLength{0.0, 1e4};   // [m]
-inline constexpr NumberRange kAngle{0.0, 100.0};  // [rad]
-inline constexpr NumberRange kTime{0.0, 1e6};     // [s]
+inline constexpr NumberRange kLength{0.0, 1e4};  // [m]
+inline constexpr NumberRange kTime{0.0, 1e6};    // [s]
 inline constexpr NumberRange kNats{-1e6, 1e6};
 inline constexpr NumberRange kCount{1.0, 1e6};
 
-void fields(Settings settings, localization::EndpointConfig& endpoint);
-void fields(Settings settings, localization::RayConsistencyConfig& rays);
-void fields(Settings settings, localization::RefineConfig& refine);
-void fields(Settings settings, localization::SpawnConfig& spawn);
-void fields(Settings settings, localization::MergeConfig& merge);
-
 /// Number of particles per population.
-void reseed_fields(Settings& settings, localization::ReseedConfig& reseed);
+void size_fields(Settings& settings, localization::ReseedConfig& reseed);
 
 void beam_fields(Settings& settings, localization::BeamSelection& beams);
 void motion_fields(Settings& settings, localization::OdometryNoiseConfig& motion);

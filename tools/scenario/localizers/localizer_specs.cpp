@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "tools/scenario/localizers/amcl_spec.hpp"
+#include "tools/scenario/localizers/amcl_yaml.hpp"
 #include "tools/scenario/localizers/mh_amcl_fields.hpp"
-#include "tools/scenario/localizers/mh_amcl_spec.hpp"
-#include "tools/scenario/localizers/ros2_spec.hpp"
-#include "tools/scenario/sections/name_spec.hpp"
+#include "tools/scenario/localizers/mh_amcl_yaml.hpp"
+#include "tools/scenario/localizers/ros2_yaml.hpp"
+#include "tools/scenario/sections/name_yaml.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
 
 namespace castaway::testbed {

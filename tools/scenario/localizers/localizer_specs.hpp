@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/scenario/localizers/foreign_spec.hpp"
+#include "tools/scenario/localizers/foreign_yaml.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 #include "tools/scenario/yaml/settings.hpp"
 

@@ -1,52 +1,11 @@
 #include "tools/scenario/localizers/mh_amcl_fields.hpp"
 
-#include "tools/scenario/localizers/posterior_fields.hpp"
-#include "tools/scenario/localizers/search_fields.hpp"
+#include "tools/scenario/localizers/filter_fields.hpp"
 
 namespace castaway::testbed {
 namespace {
 
-using localization::DestroyConfig;
-using localization::LostAndFoundConfig;
 using localization::MhAmclConfig;
-
-void fields(Settings settings, DestroyConfig& destroy) {
-  settings.field(
-      {"behind", "nats", "Populations that are further behind the best one are removed.", kNats},
-      destroy.behind);
-  settings.field({"behind_confident", "nats", "The same while one is confident.", kNats},
-                 destroy.behind_confident);
-  settings.field({"most_confident",
-                  "",
-                  "Maximum number of populations while one is confident.",
-                  {1.0, 1000.0}},
-                 destroy.most_confident);
-  settings.field(
-      {"most", "", "Maximum number of populations while the place is ambiguous.", {1.0, 1000.0}},
-      destroy.most);
-}
-
-void fields(Settings settings, LostAndFoundConfig& lost) {
-  settings.field(
-      {"unexplained_cue", "nats",
-       "Without a kidnap cue above this, an output that jumps must be confirmed by driving.",
-       kNats},
-      lost.unexplained_cue);
-  settings.field({"proving_m", "m", "Distance driven until such an output is confirmed.", kLength},
-                 lost.proving_m);
-}
-
-void fields(Settings settings, localization::DistanceFilterConfig& filter) {
-  settings.field(
-      {"before_wall", "m", "Beams that end by more than this before a wall do not track.", kLength},
-      filter.before_wall);
-  settings.field(
-      {"misfits", "", "Minimum share of end points off the walls to leave beams out.", kShare},
-      filter.misfits);
-  settings.field({"off_wall", "m", "An end point farther from all walls is off them.", kLength},
-                 filter.off_wall);
-  settings.field({"least", "", "With fewer beams left, all of them track.", kCount}, filter.least);
-}
 
 /// What populations are, and how poses are refined.
 void belief_fields(Settings& settings, MhAmclConfig& config) {
@@ -63,54 +22,10 @@ void belief_fields(Settings& settings, MhAmclConfig& config) {
                   {{"climb", localization::RefineMethod::kClimb},
                    {"ndt_points", localization::RefineMethod::kNdtPoints},
                    {"ndt_distributions", localization::RefineMethod::kNdtDistributions}});
-  Settings mixture = settings.group("mixture");
-  mixture.field(
-      {"widest", "m", "A wider component of a new mixture is divided in three.", {1e-3, 1e4}},
-      config.mixture.widest);
-  mixture.field({"widest_yaw", "rad", "The same of the yaw.", {1e-3, 100.0}},
-                config.mixture.widest_yaw);
-  mixture.field({"most", "", "Maximum number of components.", {1.0, 1000.0}}, config.mixture.most);
-  mixture.field(
-      {"lightest", "", "Components with a smaller share of the weight are dropped.", kShare},
-      config.mixture.lightest);
-  mixture.field(
-      {"same", "", "Components with a smaller Mahalanobis distance become one.", {0.0, 100.0}},
-      config.mixture.same);
-  Settings ndt = settings.group("ndt");
-  ndt.field({"cell", "m", "Edge of a cell of the normal distributions transform.", {0.05, 10.0}},
-            config.ndt.cell);
-  ndt.field({"along", "", "Factor of its standard deviations along surfaces.", {1.0, 100.0}},
-            config.ndt.along);
 }
 
-void evidence_fields(Settings& settings, MhAmclConfig& config) {
-  Settings evidence = settings.group("evidence");
-  fields(settings.group("tracking"), config.tracking);
-  fields(settings.group("refinement"), config.refinement);
-  fields(settings.group("distance_filter"), config.distance_filter);
-  fields(evidence.group("endpoint"), config.evidence.endpoint);
-  fields(evidence.group("rays"), config.evidence.rays);
-  evidence.field({"through_wall", "", "Likelihood of a beam through a mapped wall.", kShare},
-                 config.evidence.through_wall);
-  evidence.field({"off_free_penalty", "nats", "Penalty if base is not on a free cell.", kNats},
-                 config.evidence.off_free_penalty);
-  evidence.field({"per_beam",
-                  "",
-                  "A beam counts as at most this many independent ones: few beams say little.",
-                  {0.001, 1000.0}},
-                 config.evidence.per_beam);
-  evidence.field(
-      {"right_pose", "nats", "Log-likelihood of a scan at a right pose; subtracted.", kNats},
-      config.evidence.right_pose);
-  evidence.field({"minimum", "nats", "Minimum log-likelihood of a scan.", kNats},
-                 config.evidence.minimum);
-}
-
-}  // namespace
-
-void fields(Settings settings, MhAmclConfig& config) {
-  rate_fields(settings, config);
-  reseed_fields(settings, config.reseed);
+/// When an output is lost, found or confident.
+void output_fields(Settings& settings, MhAmclConfig& config) {
   settings.field({"confident", "", "Minimum probability of a confident output."},
                  config.match.confident);
   settings.field({"found", "", "Minimum probability at which a lost output counts as found."},
@@ -122,6 +37,36 @@ void fields(Settings settings, MhAmclConfig& config) {
                   "stays.",
                   kTime},
                  config.blind_half_life);
+  settings.field({"select_margin",
+                  "nats",
+                  "The output is kept while it is behind the best one by less than this.",
+                  {0.0, 1e6}},
+                 config.select_margin);
+}
+
+void sensor_fields(Settings& settings, MhAmclConfig& config) {
+  constexpr NumberRange kSigma{1e-6, 1e4};
+  settings.group("tracking")
+      .field(
+          {"sigma", "m", "Standard deviation of end points around walls, for particles.", kSigma},
+          config.tracking.sigma);
+  Settings endpoint = settings.group("evidence").group("endpoint");
+  endpoint.field(
+      {"sigma", "m", "Standard deviation of end points around walls, for hypotheses.", kSigma},
+      config.evidence.endpoint.sigma);
+  endpoint.field(
+      {"independent_beams", "", "Number of independent beams that a scan counts as.", {0.0, 1e5}},
+      config.evidence.endpoint.independent_beams);
+}
+
+void tiles_field(Settings settings, const char* key, const char* meaning, std::int64_t& tiles) {
+  int count = static_cast<int>(tiles);
+  settings.field({key, "", meaning, {1.0, 1e9}}, count);
+  tiles = count;
+}
+
+/// How much is searched, and when.
+void search_fields(Settings& settings, MhAmclConfig& config) {
   settings.field({"budget_ms",
                   "ms",
                   "CPU time of a scan in the mean, on a processor that scores 8000 tiles in a "
@@ -130,37 +75,64 @@ void fields(Settings settings, MhAmclConfig& config) {
                  config.budget.mean_ms);
   settings.field({"budget_most_ms", "ms", "The same of one scan at most.", {0.01, 1e6}},
                  config.budget.most_ms);
-  settings.field({"select_margin",
-                  "nats",
-                  "The output is kept while it is behind the best one by less than this.",
-                  {0.0, 1e6}},
-                 config.select_margin);
+  tiles_field(settings.group("match"), "slice", "Number of tiles searched per scan.",
+              config.match.slice);
+  Settings watch = settings.group("watch");
+  tiles_field(watch, "slice", "Number of tiles searched per period in the background.",
+              config.watch.slice);
+  tiles_field(watch, "burst", "Number of tiles searched per period on suspicion.",
+              config.watch.burst);
+  watch.field(
+      {"suspicious_cue", "nats", "Evidence for a kidnap in a scan that is suspicious.", kNats},
+      config.watch.suspicious_cue);
+  watch.field({"suspicious_doubt", "nats", "Doubt that is suspicious.", kNats},
+              config.watch.suspicious_doubt);
+  Settings create = settings.group("create");
+  create.field({"quick_candidates", "", "Number of places of the first search.", kCount},
+               config.create.quick_candidates);
+  create.field({"deep_candidates", "", "Maximum number of places of a deep search.", kCount},
+               config.create.deep_candidates);
+  create.field({"settled_beams",
+                "",
+                "Beams on which candidates climb before their evidence is computed; 0: none.",
+                {0, 100000}},
+               config.create.settled_beams);
+}
+
+/// What is known before a scan: kidnaps, and how much a scan says.
+void prior_fields(Settings settings, localization::PosteriorConfig& prior) {
   settings.field(
-      {"history", "", "Number of scans by which a new population is weighted.", {1.0, 1000.0}},
-      config.history);
-  settings.field({"max_distance", "m", "Upper bound of the distance field.", {0.01, 1000.0}},
-                 config.max_distance);
-  settings.field({"surface_depth",
-                  "m",
-                  "No beam ends deeper inside of an obstacle of the map.",
-                  {0.0, 1000.0}},
-                 config.surface_depth);
+      {"independent_m", "m", "Distance after which a scan is independent evidence.", kLength},
+      prior.scans.independent_m);
+  settings.field({"unlisted_drop", "nats",
+                  "Log-likelihood of an unlisted place relative to a usual right one.", kNats},
+                 prior.null.unlisted_drop);
+  settings.field(
+      {"wrong_start", "nats", "Log-probability that a given start pose is wrong.", kNats},
+      prior.null.wrong_start);
+  settings.field({"kidnap", "nats", "Log-probability of a kidnap from scan to scan.", kNats},
+                 prior.null.kidnap);
+  settings.field({"agreeing", "",
+                  "Consecutive scans that agree better are evidence against a kidnap.", kShare},
+                 prior.scans.agreeing);
+  settings.field(
+      {"false_alarms_per_h",
+       "",
+       "Tolerated number of false alarms in an hour; sets the doubt that raises an alarm.",
+       {1e-6, 14400.0}},
+      prior.null.false_alarms_per_h);
+}
+
+}  // namespace
+
+void fields(Settings settings, MhAmclConfig& config) {
+  rate_fields(settings, config);
+  size_fields(settings, config.reseed);
+  output_fields(settings, config);
   belief_fields(settings, config);
-  evidence_fields(settings, config);
-  fields(settings.group("refine"), config.refine);
-  fields(settings.group("spawn"), config.spawn);
-  fields(settings.group("merge"), config.merge);
-  fields(settings.group("same"), config.same);
-  fields(settings.group("matcher"), config.matcher);
-  fields(settings.group("match"), config.match);
-  fields(settings.group("watch"), config.watch);
-  fields(settings.group("rescue"), config.rescue);
-  fields(settings.group("create"), config.create);
-  fields(settings.group("destroy"), config.destroy);
-  fields(settings.group("agreement"), config.agreement);
-  fields(settings.group("continuity"), config.continuity);
-  fields(settings.group("posterior"), config.posterior);
-  fields(settings.group("lost_and_found"), config.lost_and_found);
+  sensor_fields(settings, config);
+  search_fields(settings, config);
+  prior_fields(settings.group("posterior"), config.posterior);
 }
 
 void map3d_fields(Settings settings, localization::MhAmcl3dConfig& config) {

@@ -1,7 +1,7 @@
 /// Settings of the MH-AMCLs by their YAML keys.
 #pragma once
 
-#include "localization/mh_amcl_config.hpp"
+#include "localization/mh_amcl/mh_amcl_config.hpp"
 #include "localization/paper/published/published_config.hpp"
 #include "tools/scenario/yaml/settings.hpp"
 

@@ -1,4 +1,4 @@
-#include "tools/scenario/localizers/foreign_spec.hpp"
+#include "tools/scenario/localizers/foreign_yaml.hpp"
 
 #include <algorithm>
 #include <set>
@@ -10,7 +10,7 @@
 #include "tools/base/files/json_text.hpp"
 #include "tools/base/output/file_name.hpp"
 #include "tools/scenario/localizers/yaml_json.hpp"
-#include "tools/scenario/sections/name_spec.hpp"
+#include "tools/scenario/sections/name_yaml.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -1,11 +1,11 @@
-#include "tools/scenario/localizers/ros2_spec.hpp"
+#include "tools/scenario/localizers/ros2_yaml.hpp"
 
 #include <charconv>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "tools/scenario/sections/name_spec.hpp"
+#include "tools/scenario/sections/name_yaml.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/scenario/localizers/mh_amcl_spec.hpp"
+#include "tools/scenario/localizers/mh_amcl_yaml.hpp"
 
 #include <stdexcept>
 

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "localization/mh_amcl_config.hpp"
+#include "localization/mh_amcl/mh_amcl_config.hpp"
 #include "localization/paper/published/published_config.hpp"
 #include "tools/scenario/yaml/settings.hpp"
 

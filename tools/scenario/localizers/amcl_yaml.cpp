@@ -1,4 +1,4 @@
-#include "tools/scenario/localizers/amcl_spec.hpp"
+#include "tools/scenario/localizers/amcl_yaml.hpp"
 
 #include <stdexcept>
 

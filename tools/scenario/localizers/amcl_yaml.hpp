@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "localization/amcl_config.hpp"
+#include "localization/amcl/amcl_config.hpp"
 #include "tools/scenario/yaml/settings.hpp"
 
 namespace castaway::testbed {
