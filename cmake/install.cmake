@@ -39,7 +39,8 @@ install(TARGETS elementary elementary_functions EXPORT castaway-elementary ARCHI
   COMPONENT development)
 install(EXPORT castaway-elementary NAMESPACE castaway:: DESTINATION ${CASTAWAY_CONFIG_DIR} COMPONENT development)
 castaway_install_component(localization localization)
-castaway_install_component(sim sim sim_events sim_layout sim_odometry sim_scene sim_render)
+castaway_install_component(sim sim sim_events sim_layout sim_odometry sim_scene sim_render xacro)
+install(DIRECTORY xacro DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/castaway COMPONENT development FILES_MATCHING PATTERN "*.hpp")
 
 # The interface of localizers in shared libraries: castaway::plugin, headers only.
 add_library(plugin INTERFACE)

@@ -3,7 +3,7 @@
 #include <optional>
 #include <variant>
 
-#include <localization/mh_amcl.hpp>
+#include <localization/mh_amcl/mh_amcl.hpp>
 
 #include "adapter.hpp"
 #include "floor_plan.hpp"

@@ -2,7 +2,7 @@
 // a localizer with classes of its own meets castaway/localizer.hpp.
 #include <castaway/localizer.hpp>
 
-#include "localization/mh_amcl.hpp"
+#include "localization/mh_amcl/mh_amcl.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "localization/matching/refine.hpp"
-#include "localization/ndt/ndt_model.hpp"
+#include "localization/space/ndt/ndt_model.hpp"
 
 namespace castaway::localization {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "localization/map/cell_index.hpp"
-#include "localization/stack/stacked_obstacles.hpp"
+#include "localization/space/stack/stacked_obstacles.hpp"
 
 namespace castaway::localization {
 namespace {

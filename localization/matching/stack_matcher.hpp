@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "localization/matching/cascade_matcher.hpp"
-#include "localization/stack/stacked_ground.hpp"
-#include "localization/volume/volume.hpp"
+#include "localization/space/stack/stacked_ground.hpp"
+#include "localization/space/volume/volume.hpp"
 
 namespace castaway::localization {
 

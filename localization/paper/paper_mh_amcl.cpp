@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "localization/output.hpp"
+#include "localization/mh_amcl/output.hpp"
 
 namespace castaway::localization {
 namespace {

@@ -10,11 +10,11 @@
 #include <cstdint>
 #include <optional>
 
+#include "localization/geometry/stage_timer.hpp"
 #include "localization/input/sensor_input.hpp"
 #include "localization/localizer.hpp"
 #include "localization/paper/paper_belief.hpp"
 #include "localization/paper/paper_stages.hpp"
-#include "localization/stage_timer.hpp"
 
 namespace castaway::localization {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "localization/sensor/four_points.hpp"
-#include "localization/volume/surface_along.hpp"
+#include "localization/space/volume/surface_along.hpp"
 
 namespace castaway::localization {
 namespace {

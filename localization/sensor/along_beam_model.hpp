@@ -8,7 +8,7 @@
 #pragma once
 
 #include "localization/sensor/endpoint_model.hpp"
-#include "localization/volume/volume.hpp"
+#include "localization/space/volume/volume.hpp"
 
 namespace castaway::localization {
 

@@ -11,7 +11,7 @@
 #include "localization/map/interpolated_field.hpp"
 #include "localization/sensor/pose_in_cells.hpp"
 #include "localization/sensor/scan_points.hpp"
-#include "localization/volume/volume.hpp"
+#include "localization/space/volume/volume.hpp"
 
 namespace castaway::localization {
 

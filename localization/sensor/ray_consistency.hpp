@@ -10,8 +10,8 @@
 #include "localization/map/wall_clearance.hpp"
 #include "localization/sensor/pose_in_cells.hpp"
 #include "localization/sensor/scan_points.hpp"
-#include "localization/volume/volume.hpp"
-#include "localization/volume/voxel_rays.hpp"
+#include "localization/space/volume/volume.hpp"
+#include "localization/space/volume/voxel_rays.hpp"
 
 namespace castaway::localization {
 

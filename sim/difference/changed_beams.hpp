@@ -3,7 +3,7 @@
 
 #include "sim/map/grid.hpp"
 #include "sim/map/places.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

@@ -11,7 +11,7 @@
 #include "sim/common/geometry.hpp"
 #include "sim/common/random.hpp"
 #include "sim/map/grid.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

@@ -8,7 +8,7 @@
 
 #include "sim/common/geometry.hpp"
 #include "sim/people/bodies/person.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "sim/map/grid.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "sim/map/grid.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

@@ -6,7 +6,7 @@
 
 #include "sim/map/grid.hpp"
 #include "sim/world/floor.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

@@ -8,7 +8,7 @@
 
 #include "sim/map/free_space.hpp"
 #include "sim/map/grid.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "sim/common/xml_text.hpp"
 #include "sim/robot/bodies/robot_masses.hpp"
 #include "sim/robot/bodies/skid_steer.hpp"
 #include "sim/robot/discovery/drive_kind.hpp"
@@ -18,7 +17,8 @@
 #include "sim/robot/discovery/wheel_discovery.hpp"
 #include "sim/robot/urdf/part_points.hpp"
 #include "sim/robot/urdf/urdf_parts.hpp"
-#include "sim/xacro/expand.hpp"
+#include "xacro/expand.hpp"
+#include "xacro/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

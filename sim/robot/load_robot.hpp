@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/robot/robot_options.hpp"
 #include "sim/robot/urdf/robot_model.hpp"
-#include "sim/xacro/robot_options.hpp"
 
 namespace castaway::sim {
 

@@ -8,7 +8,7 @@
 
 #include "sim/common/random.hpp"
 #include "sim/sensor/wheel_odometry.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

@@ -25,7 +25,7 @@
 #include "sim/sensor/imu.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "sim/sensor/wheel_odometry.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

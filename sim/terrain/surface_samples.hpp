@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

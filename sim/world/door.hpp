@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "sim/world/slice.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/world/slice.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

@@ -14,7 +14,7 @@
 
 #include <assimp/Importer.hpp>
 
-#include "sim/common/git_lfs.hpp"
+#include "xacro/git_lfs.hpp"
 
 namespace castaway::sim {
 namespace {

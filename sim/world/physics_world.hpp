@@ -13,7 +13,7 @@
 #include "sim/world/bullet/ball_box_contact.hpp"
 #include "sim/world/bullet/few_body_solver.hpp"
 #include "sim/world/bullet/one_robot_world.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/scene/scene.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

@@ -151,7 +151,7 @@ using Layers = std::vector<Names>;
 const Layers kSimLayers = {
     {"sim/common", "sim/scene"},
     {"sim/people/forces", "sim/world/bullet"},
-    {"sim/render", "sim/world", "sim/xacro"},
+    {"sim/render", "sim/world"},
     {"sim/casting", "sim/robot/urdf", "sim/world/sdf"},
     {"sim/map", "sim/robot/discovery", "sim/sensor", "sim/terrain"},
     {"sim/people/bodies"},
@@ -224,14 +224,14 @@ const Layers kToolsLayers = {
 const Layers kLocalizationLayers = {
     {"localization/geometry"},
     {"localization/map", "localization/motion"},
-    {"localization/map3d"},
-    {"localization/volume"},
-    {"localization/stack", "localization/sensor"},
-    {"localization/ndt"},
+    {"localization/space/map3d"},
+    {"localization/space/volume"},
+    {"localization/space/stack", "localization/sensor"},
+    {"localization/space/ndt", "localization"},
     {"localization/filter", "localization/input", "localization/matching"},
-    {"localization/hypotheses"},
+    {"localization/hypotheses", "localization/amcl"},
     {"localization/search"},
-    {"localization"},
+    {"localization/mh_amcl"},
     {"localization/paper"},
     {"localization/paper/published"},
 };
@@ -295,6 +295,16 @@ TEST(Includes, NoRoomHoldsMoreThanThirtyFiles) {
   }
   EXPECT_GT(files.size(), 40U);
   for (const auto& [room, count] : files) EXPECT_LE(count, 30) << room;
+}
+
+TEST(Names, OfTheProductEndInNeitherTestNorSpec) {
+  const fs::path root = CASTAWAY_SOURCE_DIR;
+  for (const char* part : {"localization", "sim", "tools", "python"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
+      const std::string stem = entry.path().stem().string();
+      EXPECT_FALSE(stem.ends_with("_test") || stem.ends_with("_spec")) << entry.path();
+    }
+  }
 }
 
 TEST(Includes, OnlyTheProgramReadsWallClocks) {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "localization/mh_amcl.hpp"
+#include "localization/mh_amcl/mh_amcl.hpp"
 #include "tests/fuzz/fuzz_input.hpp"
 #include "tools/base/formats/images/gray_image.hpp"
 #include "tools/base/formats/ros_map.hpp"

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "localization/amcl.hpp"
-#include "localization/mh_amcl.hpp"
+#include "localization/amcl/amcl.hpp"
+#include "localization/mh_amcl/mh_amcl.hpp"
 #include "localization/paper/paper_mh_amcl.hpp"
 #include "tests/support/grid_drive.hpp"
 

@@ -1,4 +1,4 @@
-#include "localization/stage_timer.hpp"
+#include "localization/geometry/stage_timer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 #include <utility>
 #include <variant>
 
-#include "localization/amcl.hpp"
+#include "localization/amcl/amcl.hpp"
 #include "localization/geometry/random.hpp"
-#include "localization/mh_amcl.hpp"
+#include "localization/mh_amcl/mh_amcl.hpp"
 #include "localization/paper/paper_mh_amcl.hpp"
 #include "localization/paper/published/published_stages.hpp"
 #include "tools/base/process/cpu_clock.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "localization/mh_amcl_models.hpp"
+#include "localization/mh_amcl/mh_amcl_models.hpp"
 #include "tools/base/formats/ros_map.hpp"
 #include "tools/build/foreign/protocol/lidar_facts.hpp"
 #include "tools/build/foreign/protocol/message_text.hpp"

@@ -16,12 +16,12 @@ namespace {
 
 constexpr std::size_t kMaxYamlBytes = 1U << 20U;
 
-using sim::xacro::Dict;
-using sim::xacro::List;
-using sim::xacro::Value;
+using xacro::Dict;
+using xacro::List;
+using xacro::Value;
 
 Value to_value(const YamlNode& node) {
-  if (node.kind == YamlNode::Kind::kScalar) return sim::xacro::from_literal(node.scalar);
+  if (node.kind == YamlNode::Kind::kScalar) return xacro::from_literal(node.scalar);
   if (node.kind == YamlNode::Kind::kList) {
     List list;
     for (const YamlNode& item : node.items) list.push_back(to_value(item));

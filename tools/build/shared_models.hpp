@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "localization/mh_amcl_models.hpp"
+#include "localization/mh_amcl/mh_amcl_models.hpp"
 #include "tools/base/process/latest_few.hpp"
 
 namespace castaway::testbed {

@@ -19,7 +19,7 @@
 #include "tools/play/play.hpp"
 #include "tools/play/verdict_output.hpp"
 #include "tools/run/metrics/void_run.hpp"
-#include "tools/scenario/sections/expect_spec.hpp"
+#include "tools/scenario/sections/expect_yaml.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 #include "tools/base/formats/level_map.hpp"
 #include "tools/base/formats/ros_map.hpp"
 #include "tools/run/run_sink.hpp"

@@ -27,7 +27,7 @@
 #include "tools/live/live_loading.hpp"
 #include "tools/live/live_report.hpp"
 #include "tools/live/live_trial.hpp"
-#include "tools/scenario/localizers/ros2_spec.hpp"
+#include "tools/scenario/localizers/ros2_yaml.hpp"
 
 namespace castaway::testbed {
 namespace {

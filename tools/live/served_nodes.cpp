@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/base/files/json_text.hpp"
-#include "tools/scenario/localizers/ros2_spec.hpp"
+#include "tools/scenario/localizers/ros2_yaml.hpp"
 #include "tools/scenario/localizers/yaml_json.hpp"
 
 namespace castaway::testbed {

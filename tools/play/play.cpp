@@ -25,7 +25,7 @@
 #include "tools/play/picture_files.hpp"
 #include "tools/play/terminal.hpp"
 #include "tools/scenario/files/data_paths.hpp"
-#include "tools/scenario/localizers/ros2_spec.hpp"
+#include "tools/scenario/localizers/ros2_yaml.hpp"
 
 namespace castaway::testbed {
 namespace {

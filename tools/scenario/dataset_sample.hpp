@@ -1,7 +1,7 @@
 /// Samples the scenarios of a data set's sequences.
 #pragma once
 
-#include "tools/scenario/dataset_spec.hpp"
+#include "tools/scenario/dataset_yaml.hpp"
 #include "tools/scenario/scenario_file.hpp"
 
 namespace castaway::testbed {

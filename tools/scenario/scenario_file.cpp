@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "tools/scenario/sections/drive_spec.hpp"
+#include "tools/scenario/sections/drive_yaml.hpp"
 #include "tools/scenario/sections/event_list.hpp"
-#include "tools/scenario/sections/expect_spec.hpp"
+#include "tools/scenario/sections/expect_yaml.hpp"
 #include "tools/scenario/sections/fault_events.hpp"
 #include "tools/scenario/sections/joint_states.hpp"
 #include "tools/scenario/sections/kidnap_events.hpp"
-#include "tools/scenario/sections/lidar_spec.hpp"
-#include "tools/scenario/sections/name_spec.hpp"
-#include "tools/scenario/sections/odometry_spec.hpp"
+#include "tools/scenario/sections/lidar_yaml.hpp"
+#include "tools/scenario/sections/name_yaml.hpp"
+#include "tools/scenario/sections/odometry_yaml.hpp"
 #include "tools/scenario/sections/operator_events.hpp"
-#include "tools/scenario/sections/output_spec.hpp"
-#include "tools/scenario/sections/people_spec.hpp"
+#include "tools/scenario/sections/output_yaml.hpp"
+#include "tools/scenario/sections/people_yaml.hpp"
 #include "tools/scenario/sections/world_events.hpp"
-#include "tools/scenario/world/difference_spec.hpp"
+#include "tools/scenario/world/difference_yaml.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
 #include "tools/scenario/yaml/settings.hpp"
 

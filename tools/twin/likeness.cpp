@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "localization/mh_amcl_models.hpp"
+#include "localization/mh_amcl/mh_amcl_models.hpp"
 #include "tools/twin/alignment/expected_scan.hpp"
 #include "tools/twin/drift.hpp"
 

@@ -12,7 +12,7 @@
 #include "sim/robot/bodies/robot_state.hpp"
 #include "sim/robot/bodies/twist_ramp.hpp"
 #include "sim/robot/urdf/robot_model.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

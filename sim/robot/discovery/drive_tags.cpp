@@ -114,7 +114,7 @@ std::vector<std::string> transmission_joints(const TiXmlElement& root) {
 /// Adds what the plug-ins' parameter files tell: controllers and, unless a plug-in names the
 /// joints, the parameters of a differential drive.
 void add_parameters(const UrdfFile& file, const PackageFinder& packages,
-                    const RobotOptions& options, DriveTags& tags) {
+                    const xacro::Options& options, DriveTags& tags) {
   if (!options.read_yaml) return;
   const bool named = !tags.left.empty();
   for_each(*file.xml->RootElement(), "parameters", [&](const TiXmlElement& e) {
@@ -135,7 +135,7 @@ void add_parameters(const UrdfFile& file, const PackageFinder& packages,
 }  // namespace
 
 DriveTags find_drive_tags(const UrdfFile& file, const PackageFinder& packages,
-                          const RobotOptions& options) {
+                          const xacro::Options& options) {
   const TiXmlElement& root = *file.xml->RootElement();
   DriveTags tags;
   for_each(root, "plugin", [&](const TiXmlElement& plugin) {

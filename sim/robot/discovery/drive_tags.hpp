@@ -30,6 +30,6 @@ struct DriveTags {
 
 /// Returns the first drive that the tags of a robot describe.
 DriveTags find_drive_tags(const UrdfFile& file, const PackageFinder& packages,
-                          const RobotOptions& options);
+                          const xacro::Options& options);
 
 }  // namespace castaway::sim

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/common/nearest_name.hpp"
+#include "xacro/nearest_name.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/common/package_finder.hpp"
+#include "xacro/package_finder.hpp"
 
 namespace castaway::sim {
 

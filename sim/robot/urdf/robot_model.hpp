@@ -14,7 +14,7 @@
 #include <Eigen/Geometry>
 
 #include "sim/common/geometry.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

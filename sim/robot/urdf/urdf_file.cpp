@@ -6,10 +6,10 @@
 #include <console_bridge/console.h>
 #include <fmt/format.h>
 
-#include "sim/common/xml_text.hpp"
 #include "sim/robot/urdf/urdf_repairs.hpp"
 #include "sim/robot/urdf/urdf_tree.hpp"
-#include "sim/xacro/expand.hpp"
+#include "xacro/expand.hpp"
+#include "xacro/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -74,7 +74,7 @@ void require_sound(const UrdfFile& file) {
 }  // namespace
 
 UrdfFile read_urdf(const std::string& path, const PackageFinder& packages,
-                   const RobotOptions& options) {
+                   const xacro::Options& options) {
   UrdfFile file;
   file.path = path;
   xacro::Expansion expansion = xacro::expand(path, packages, options);

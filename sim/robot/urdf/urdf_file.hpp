@@ -8,8 +8,8 @@
 #include <tinyxml.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include "sim/common/package_finder.hpp"
-#include "sim/xacro/robot_options.hpp"
+#include "xacro/options.hpp"
+#include "xacro/package_finder.hpp"
 
 namespace castaway::sim {
 
@@ -24,6 +24,6 @@ struct UrdfFile {
 /// Reads a file, expands xacro in it and repairs what urdfdom cannot read.
 /// @throws std::runtime_error naming file, line or element, and remedy.
 UrdfFile read_urdf(const std::string& path, const PackageFinder& packages,
-                   const RobotOptions& options);
+                   const xacro::Options& options);
 
 }  // namespace castaway::sim

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/common/xml_text.hpp"
+#include "xacro/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "sim/common/xml_pose.hpp"
-#include "sim/common/xml_text.hpp"
 #include "sim/world/sdf/flat_names.hpp"
+#include "xacro/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

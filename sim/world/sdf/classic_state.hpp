@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

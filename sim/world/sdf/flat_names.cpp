@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "sim/common/xml_text.hpp"
+#include "xacro/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

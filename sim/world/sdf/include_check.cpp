@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/common/xml_text.hpp"
 #include "sim/world/sdf/scenery.hpp"
+#include "xacro/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

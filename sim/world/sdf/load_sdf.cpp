@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "sim/common/xml_text.hpp"
 #include "sim/world/footprint.hpp"
 #include "sim/world/sdf/read_pieces.hpp"
 #include "sim/world/sdf/sdf_bodies.hpp"
 #include "sim/world/sdf/world_pieces.hpp"
-#include "sim/xacro/expand.hpp"
+#include "xacro/expand.hpp"
+#include "xacro/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -24,10 +24,8 @@ constexpr double kTold = 0.001;      // [m] A smaller distance of the floor from
 
 std::string text_of(const std::string& path, const SdfOptions& options) {
   if (fs::path(path).extension() != ".xacro") return read_xml_text(path);
-  RobotOptions expansion;
-  expansion.search_paths = options.search_paths;
   return xml_text_of(
-      *xacro::expand(path, PackageFinder(path, options.search_paths), expansion, "sdf").xml);
+      *xacro::expand(path, PackageFinder(path, options.search_paths), {}, "sdf").xml);
 }
 
 /// Name of the world; of its file if the world is called `default` or `world`.

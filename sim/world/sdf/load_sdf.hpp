@@ -9,7 +9,7 @@
 
 #include "sim/common/random.hpp"
 #include "sim/world/floor.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

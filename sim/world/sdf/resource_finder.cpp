@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "sim/common/xml_text.hpp"
+#include "xacro/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -15,7 +15,7 @@
 #include "sim/world/floor.hpp"
 #include "sim/world/sdf/resource_finder.hpp"
 #include "sim/world/sdf/world_pieces.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 
 #include "sim/common/xml_pose.hpp"
-#include "sim/common/xml_text.hpp"
 #include "sim/world/sdf/flat_names.hpp"
 #include "sim/world/sdf/include_check.hpp"
 #include "sim/world/sdf/model_spread.hpp"
 #include "sim/world/sdf/population.hpp"
 #include "sim/world/sdf/scenery.hpp"
+#include "xacro/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

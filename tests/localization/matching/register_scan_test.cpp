@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "localization/matching/pose_climber.hpp"
-#include "tests/localization/map3d/building.hpp"
-#include "tests/localization/volume/voxel_maps.hpp"
+#include "tests/localization/space/map3d/building.hpp"
+#include "tests/localization/space/volume/voxel_maps.hpp"
 #include "tests/support/grid_world.hpp"
 #include "tests/support/scan_points.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/localization/map3d/building.hpp"
+#include "tests/localization/space/map3d/building.hpp"
 #include "tests/support/sanitized.hpp"
 
 namespace castaway::localization {

@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "localization/map3d/survey_ground.hpp"
-#include "localization/map3d/voxel_builder.hpp"
 #include "localization/matching/refine.hpp"
+#include "localization/space/map3d/survey_ground.hpp"
+#include "localization/space/map3d/voxel_builder.hpp"
 
 namespace castaway::localization {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/localization/map3d/building.hpp"
+#include "tests/localization/space/map3d/building.hpp"
 #include "tests/support/scan_points.hpp"
 #include "tests/support/string_map.hpp"
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include "tests/localization/map3d/building.hpp"
+#include "tests/localization/space/map3d/building.hpp"
 #include "tests/support/grid_world.hpp"
 #include "tests/support/scan_points.hpp"
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "localization/mh_amcl.hpp"
+#include "localization/mh_amcl/mh_amcl.hpp"
 #include "tests/program/ros2_peer/wire.hpp"
 
 namespace castaway::peer {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/common/random.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 #include "tests/sim/support/random_rays.hpp"
 
 namespace castaway::sim {

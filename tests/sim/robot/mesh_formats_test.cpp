@@ -6,8 +6,8 @@
 
 #include "sim/robot/load_robot.hpp"
 #include "sim/robot/urdf/part_points.hpp"
-#include "tests/sim/robot/robot_files.hpp"
 #include "tests/sim/robot/urdf_parts_for_tests.hpp"
+#include "tests/support/robot_files.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "sim/casting/moving_scene.hpp"
 #include "sim/common/random.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

@@ -7,7 +7,7 @@
 #include "sim/map/grid.hpp"
 #include "sim/robot/urdf/robot_model.hpp"
 #include "sim/simulation.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::sim {
 

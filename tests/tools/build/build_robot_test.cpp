@@ -23,7 +23,7 @@ TEST(BuildRobot, PassesArgumentsOn) {
 TEST(BuildRobot, ReadsYamlAsXacroDoes) {
   const auto file = std::filesystem::path(testing::TempDir()) / "build_robot.yaml";
   std::ofstream(file) << "a: {b: [1, 0.5, text]}\nc: true\nd: ~\n";
-  const sim::xacro::Value value = robot_options({}, ".").read_yaml(file.string());
+  const xacro::Value value = robot_options({}, ".").read_yaml(file.string());
   EXPECT_EQ(to_text(value), "{'a': {'b': [1, 0.5, 'text']}, 'c': True, 'd': None}");
   EXPECT_THROW((void)robot_options({}, ".").read_yaml("/nowhere.yaml"), std::runtime_error);
   std::ofstream(file) << "angle: !degrees 90\n";

@@ -1,7 +1,7 @@
 /// A small building for tests of 3-D maps.
 #pragma once
 
-#include "localization/map3d/voxel_builder.hpp"
+#include "localization/space/map3d/voxel_builder.hpp"
 #include "tools/build/map3d/survey_map3d.hpp"
 
 namespace castaway::testbed {

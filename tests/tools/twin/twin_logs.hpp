@@ -6,7 +6,7 @@
 
 #include "tests/tools/twin/room_log.hpp"
 #include "tools/scenario/scenario_file.hpp"
-#include "tools/scenario/sections/lidar_spec.hpp"
+#include "tools/scenario/sections/lidar_yaml.hpp"
 #include "tools/twin/twin_text.hpp"
 
 namespace castaway::testbed {

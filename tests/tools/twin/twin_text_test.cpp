@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/tools/twin/twin_logs.hpp"
-#include "tools/scenario/world/difference_spec.hpp"
+#include "tools/scenario/world/difference_yaml.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
 
 namespace castaway::testbed {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/casting/moving_scene.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::testbed {
 

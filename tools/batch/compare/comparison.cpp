@@ -13,7 +13,7 @@
 #include "tools/base/formats/json_file.hpp"
 #include "tools/run/metrics/metrics_json.hpp"
 #include "tools/run/metrics/statistics/bootstrap.hpp"
-#include "tools/run/metrics/statistics/sign_flip_test.hpp"
+#include "tools/run/metrics/statistics/sign_flip.hpp"
 #include "tools/run/metrics/void_run.hpp"
 #include "tools/scenario/yaml/yaml_tree.hpp"
 

@@ -14,7 +14,7 @@
 #include "tools/batch/dataset/dataset_folder.hpp"
 #include "tools/batch/dataset/dataset_manifest.hpp"
 #include "tools/batch/dataset/dataset_splits.hpp"
-#include "tools/scenario/dataset_spec.hpp"
+#include "tools/scenario/dataset_yaml.hpp"
 
 namespace castaway::testbed {
 

@@ -5,7 +5,7 @@
 
 #include "tools/batch/dataset/dataset_contents.hpp"
 #include "tools/play/report_writer.hpp"
-#include "tools/scenario/dataset_spec.hpp"
+#include "tools/scenario/dataset_yaml.hpp"
 
 namespace castaway::testbed {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/scenario/dataset_spec.hpp"
+#include "tools/scenario/dataset_yaml.hpp"
 
 namespace castaway::testbed {
 

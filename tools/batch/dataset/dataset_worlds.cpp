@@ -5,7 +5,7 @@
 
 #include "tools/base/process/worker_pool.hpp"
 #include "tools/build/build_simulation.hpp"
-#include "tools/scenario/sections/lidar_spec.hpp"
+#include "tools/scenario/sections/lidar_yaml.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "localization/volume/volume.hpp"
+#include "localization/space/volume/volume.hpp"
 #include "tools/base/formats/ros_map.hpp"
 #include "tools/build/recorded/recorded_source.hpp"
 #include "tools/scenario/sections/scenario.hpp"

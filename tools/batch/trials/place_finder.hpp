@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "localization/mh_amcl_models.hpp"
+#include "localization/mh_amcl/mh_amcl_models.hpp"
 
 namespace castaway::testbed {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "localization/map3d/wheel_stance.hpp"
+#include "localization/space/map3d/wheel_stance.hpp"
 #include "tools/base/formats/ros_map.hpp"
 #include "tools/build/recorded/recorded_source.hpp"
 #include "tools/ros/bag_topics.hpp"

@@ -5,7 +5,7 @@
 #include <functional>
 #include <memory>
 
-#include "localization/volume/volume.hpp"
+#include "localization/space/volume/volume.hpp"
 #include "tools/base/formats/volume/map3d_file.hpp"
 
 namespace castaway::testbed {

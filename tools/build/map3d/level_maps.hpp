@@ -1,7 +1,7 @@
 /// Maps of the floors of a world, one for each.
 #pragma once
 
-#include "localization/map3d/elevation_map.hpp"
+#include "localization/space/map3d/elevation_map.hpp"
 #include "sim/map/level_plane.hpp"
 #include "tools/base/formats/level_map.hpp"
 

@@ -1,7 +1,7 @@
 /// A picture of an elevation map: its levels side by side.
 #pragma once
 
-#include "localization/map3d/elevation_map.hpp"
+#include "localization/space/map3d/elevation_map.hpp"
 #include "sim/scene/image.hpp"
 
 namespace castaway::testbed {

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "localization/map3d/atlas.hpp"
+#include "localization/space/map3d/atlas.hpp"
 #include "sim/map/level_plane.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 #include "tools/base/formats/volume/map3d_file.hpp"
 
 namespace castaway::testbed {

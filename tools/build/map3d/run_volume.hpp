@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "localization/volume/volume.hpp"
+#include "localization/space/volume/volume.hpp"
 #include "sim/stages/simulation_config.hpp"
 #include "tools/base/formats/volume/map3d_file.hpp"
 

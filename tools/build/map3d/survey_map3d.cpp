@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "localization/map3d/voxel_builder.hpp"
+#include "localization/space/map3d/voxel_builder.hpp"
 
 namespace castaway::testbed {
 

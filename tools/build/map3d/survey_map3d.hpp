@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "localization/map3d/survey_ground.hpp"
+#include "localization/space/map3d/survey_ground.hpp"
 #include "tools/base/formats/volume/map3d_file.hpp"
 
 namespace castaway::testbed {

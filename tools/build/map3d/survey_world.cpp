@@ -1,6 +1,6 @@
 #include "tools/build/map3d/survey_world.hpp"
 
-#include "localization/map3d/voxel_builder.hpp"
+#include "localization/space/map3d/voxel_builder.hpp"
 #include "sim/terrain/surface_samples.hpp"
 
 namespace castaway::testbed {

@@ -1,7 +1,7 @@
 /// Surveys worlds into 3-D maps.
 #pragma once
 
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 #include "tools/build/map3d/survey_map3d.hpp"
 
 namespace castaway::testbed {

@@ -5,7 +5,7 @@
 
 #include "sim/robot/urdf/robot_model.hpp"
 #include "sim/sensor/lidar_config.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 #include "tools/build/scene/page_scene.hpp"
 
 namespace castaway::testbed {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "localization/map3d/wheel_stance.hpp"
+#include "localization/space/map3d/wheel_stance.hpp"
 #include "tools/outputs/records/snapshot_feed.hpp"
 #include "tools/outputs/sinks/run_messages.hpp"
 #include "tools/ros/bag_options.hpp"

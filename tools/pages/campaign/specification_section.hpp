@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tools/scenario/campaign_spec.hpp"
+#include "tools/scenario/campaign_yaml.hpp"
 
 namespace castaway::testbed {
 

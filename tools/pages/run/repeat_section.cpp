@@ -10,7 +10,7 @@
 #include "tools/pages/html/html_page.hpp"
 #include "tools/run/metrics/metric_paths.hpp"
 #include "tools/run/metrics/void_run.hpp"
-#include "tools/scenario/sections/expect_spec.hpp"
+#include "tools/scenario/sections/expect_yaml.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
 
 namespace castaway::testbed {

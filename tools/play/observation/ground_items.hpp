@@ -2,7 +2,7 @@
 #pragma once
 
 #include "localization/sensor/endpoint_model.hpp"
-#include "localization/volume/volume.hpp"
+#include "localization/space/volume/volume.hpp"
 #include "sim/scene/scene.hpp"
 #include "tools/play/observation/map_window.hpp"
 

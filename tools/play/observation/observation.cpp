@@ -9,7 +9,7 @@
 
 #include "localization/input/sensor_input.hpp"
 #include "localization/map/hollow.hpp"
-#include "localization/mh_amcl_config.hpp"
+#include "localization/mh_amcl/mh_amcl_config.hpp"
 #include "localization/sensor/along_beam_model.hpp"
 #include "tools/build/build_simulation.hpp"
 #include "tools/build/map3d/run_volume.hpp"

@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "localization/sensor/endpoint_model.hpp"
-#include "localization/volume/volume.hpp"
+#include "localization/space/volume/volume.hpp"
 #include "sim/scene/scene.hpp"
 #include "tools/play/observation/cost_map_item.hpp"
 #include "tools/scenario/sections/scenario.hpp"

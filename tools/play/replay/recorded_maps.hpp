@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "localization/volume/volume.hpp"
+#include "localization/space/volume/volume.hpp"
 #include "tools/base/formats/level_map.hpp"
 #include "tools/base/formats/ros_map.hpp"
 #include "tools/play/replay/replay_session.hpp"

@@ -10,7 +10,7 @@
 #include "tools/build/recorded/spliced_source.hpp"
 #include "tools/ros/bag_topics.hpp"
 #include "tools/run/localizer_order.hpp"
-#include "tools/scenario/localizers/foreign_spec.hpp"
+#include "tools/scenario/localizers/foreign_yaml.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/scenario/sections/lidar_spec.hpp"
+#include "tools/scenario/sections/lidar_yaml.hpp"
 
 namespace castaway::testbed {
 

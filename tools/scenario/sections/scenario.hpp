@@ -10,8 +10,8 @@
 
 #include <Eigen/Core>
 
-#include "localization/amcl.hpp"
-#include "localization/mh_amcl_config.hpp"
+#include "localization/amcl/amcl.hpp"
+#include "localization/mh_amcl/mh_amcl_config.hpp"
 #include "localization/paper/published/published_config.hpp"
 #include "sim/difference/difference.hpp"
 #include "sim/events/drive_command.hpp"

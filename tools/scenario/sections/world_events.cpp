@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tools/scenario/sections/people_spec.hpp"
+#include "tools/scenario/sections/people_yaml.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 
 namespace castaway::testbed {

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
 
 namespace castaway::testbed {

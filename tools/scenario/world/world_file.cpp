@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "tools/scenario/sections/name_spec.hpp"
-#include "tools/scenario/world/difference_spec.hpp"
+#include "tools/scenario/sections/name_yaml.hpp"
+#include "tools/scenario/world/difference_yaml.hpp"
 #include "tools/scenario/world/world_objects.hpp"
 #include "tools/scenario/world/world_zones.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"

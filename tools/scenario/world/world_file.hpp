@@ -25,7 +25,7 @@
 
 #include "sim/common/geometry.hpp"
 #include "sim/difference/difference.hpp"
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 
 namespace castaway::testbed {
 

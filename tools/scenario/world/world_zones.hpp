@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/world/world_spec.hpp"
+#include "sim/world/world.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
 
 namespace castaway::testbed {

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "sim/common/nearest_name.hpp"
 #include "tools/base/files/file.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
+#include "xacro/nearest_name.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -143,7 +143,7 @@ YamlReader YamlReader::required(const std::string& key) {
   if (const auto found = find(key)) return *found;
   std::vector<std::string> unread = keys_of(*node_);
   std::erase_if(unread, [&](const auto& name) { return contains(node_->known, name); });
-  const auto near = sim::nearest_name(key, unread);
+  const auto near = nearest_name(key, unread);
   fail(fmt::format("needs the key '{}'{}", key,
                    near ? fmt::format("; is '{}' meant to be it?", *near) : ""));
 }

@@ -9,7 +9,7 @@
 
 #include "sim/robot/bodies/robot_physics.hpp"
 #include "sim/robot/load_robot.hpp"
-#include "tests/sim/robot/robot_files.hpp"
+#include "tests/support/robot_files.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/robot/load_robot.hpp"
-#include "tests/sim/robot/robot_files.hpp"
 #include "tests/sim/robot/urdf_parts_for_tests.hpp"
+#include "tests/support/robot_files.hpp"
 
 namespace castaway::sim {
 namespace {

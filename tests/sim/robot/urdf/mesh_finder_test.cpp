@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/sim/robot/robot_files.hpp"
+#include "tests/support/robot_files.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/common/xml_text.hpp"
 #include "sim/robot/urdf/urdf_tree.hpp"
-#include "tests/sim/robot/robot_files.hpp"
+#include "tests/support/robot_files.hpp"
+#include "xacro/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -1,7 +1,7 @@
 // 3-D maps of files, as replays use them.
 #include <gtest/gtest.h>
 
-#include "localization/map3d/voxel_builder.hpp"
+#include "localization/space/map3d/voxel_builder.hpp"
 #include "tests/tools/support/map_value.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/base/files/file.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "localization/map3d/voxel_builder.hpp"
+#include "localization/space/map3d/voxel_builder.hpp"
 #include "tools/build/map3d/survey_map3d.hpp"
 
 namespace castaway::testbed {

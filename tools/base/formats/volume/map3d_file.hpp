@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "localization/map3d/elevation_map.hpp"
-#include "localization/map3d/voxel_map.hpp"
+#include "localization/space/map3d/elevation_map.hpp"
+#include "localization/space/map3d/voxel_map.hpp"
 
 namespace castaway::testbed {
 

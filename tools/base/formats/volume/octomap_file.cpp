@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <octomap/OcTree.h>
 
-#include "localization/map3d/voxel_builder.hpp"
+#include "localization/space/map3d/voxel_builder.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "localization/map3d/voxel_map.hpp"
+#include "localization/space/map3d/voxel_map.hpp"
 #include "tools/base/formats/volume/octomap_check.hpp"
 
 namespace castaway::testbed {

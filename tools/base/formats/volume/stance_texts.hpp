@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "localization/map3d/wheel_stance.hpp"
+#include "localization/space/map3d/wheel_stance.hpp"
 
 namespace castaway::testbed {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tools/batch/campaign/rows/rows_file.hpp"
-#include "tools/scenario/campaign_spec.hpp"
+#include "tools/scenario/campaign_yaml.hpp"
 
 namespace castaway::testbed {
 

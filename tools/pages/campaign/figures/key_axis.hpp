@@ -8,7 +8,7 @@
 
 #include "tools/batch/campaign/rows/rows_file.hpp"
 #include "tools/pages/campaign/figures/value_labels.hpp"
-#include "tools/scenario/campaign_spec.hpp"
+#include "tools/scenario/campaign_yaml.hpp"
 
 namespace castaway::testbed {
 

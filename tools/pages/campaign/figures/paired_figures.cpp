@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/run/metrics/statistics/sign_flip_test.hpp"
+#include "tools/run/metrics/statistics/sign_flip.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "tools/scenario/campaign_spec.hpp"
+#include "tools/scenario/campaign_yaml.hpp"
 
 namespace castaway::testbed {
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "localization/map3d/voxel_builder.hpp"
+#include "localization/space/map3d/voxel_builder.hpp"
 #include "tools/base/bytes/compression.hpp"
 
 namespace castaway::testbed {

@@ -6,7 +6,7 @@
 #include <boost/random/uniform_int_distribution.hpp>
 
 #include "localization/geometry/random.hpp"
-#include "localization/map3d/voxel_builder.hpp"
+#include "localization/space/map3d/voxel_builder.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -1,0 +1,48 @@
+/// The constant part of MH-AMCL: settings, map, and the models that depend on these alone.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "localization/map/distance_field.hpp"
+#include "localization/matching/place_matcher.hpp"
+#include "localization/mh_amcl/mh_amcl_config.hpp"
+#include "localization/mh_amcl/tracking_filter.hpp"
+#include "localization/search/create.hpp"
+#include "localization/search/rescue.hpp"
+#include "localization/sensor/distance_filter.hpp"
+#include "localization/sensor/evidence_model.hpp"
+#include "localization/space/volume/volume.hpp"
+
+namespace castaway::localization {
+
+/// A planar map.
+struct PlanarMap {
+  OccupancyGrid grid;
+  DistanceField distances;  ///< To the surfaces of obstacles.
+};
+
+/// Conditioned once, used for every scan. Not copyable, since the models refer to the map and to
+/// each other.
+struct MhAmclModels {
+  /// @throws std::invalid_argument for an invalid map or settings.
+  MhAmclModels(const MhAmclConfig& mh_amcl, OccupancyGrid grid);
+  /// For a 3-D map. Poses are in its atlas.
+  MhAmclModels(const MhAmclConfig& mh_amcl, std::shared_ptr<const Volume> ground_and_surfaces);
+  MhAmclModels(const MhAmclModels&) = delete;
+
+  MhAmclConfig config;
+  std::optional<PlanarMap> planar;       ///< None: a 3-D map.
+  std::shared_ptr<const Volume> volume;  ///< Null: a planar map.
+  std::optional<NdtMap> ndt_map;         ///< None: `RefineMethod::kClimb`.
+  std::optional<NdtRefinement> ndt;      ///< On `ndt_map`.
+  EndpointModel endpoint;
+  EvidenceModel evidence;
+  DistanceFilter distance_filter;
+  std::unique_ptr<const PlaceMatcher> matcher;
+  TrackingFilter filter;
+  Rescue rescue;
+  CreateContext context;
+};
+
+}  // namespace castaway::localization
