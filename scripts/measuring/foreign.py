@@ -4,7 +4,7 @@ import json
 import pathlib
 import subprocess
 
-from measuring.lab import LOGS, figure, mean as average, percent, share, table
+from measuring.lab import LOGS, figure, mean, mean_of, percent, share, table
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NAMES = ["mh_amcl", "amcl", "mrpt", "particle_filter", "dead_reckoning"]
@@ -34,11 +34,10 @@ def default_kidnap(lab):
     cells = {}
     for name in NAMES:
         recovery = summary["localizers"][name]["recovery"]
-        mean = lambda key: summary["figures"].get(f"{name}.{key}", {}).get("mean")
         cells[name] = [
             f"{recovery['recovered']} of {recovery['events']}", figure(recovery["time_s"]["mean"], "{:.2f}", " s"),
-            figure(mean("tracking_error_m.mean"), "{:.3f}", " m"), percent(mean("wrong_lock_share")),
-            figure(average([timing["localizers"][name]["update_ms"]["mean"] for timing in timings]), "{:.2f}", " ms"),
+            figure(mean_of(summary, f"{name}.tracking_error_m.mean"), "{:.3f}", " m"), percent(mean_of(summary, f"{name}.wrong_lock_share")),
+            figure(mean([timing["localizers"][name]["update_ms"]["mean"] for timing in timings]), "{:.2f}", " ms"),
         ]
     return cells
 

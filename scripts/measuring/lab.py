@@ -70,6 +70,11 @@ def mean(values):
     return sum(known) / len(known) if known else None
 
 
+def mean_of(summary, key):
+    """The mean of a figure over the runs of `run --seeds`; None where no run has it."""
+    return summary["figures"].get(key, {}).get("mean")
+
+
 def percentile(values, percent_below):
     """The smallest value that so many per cent of the values do not exceed."""
     ordered = sorted(values)

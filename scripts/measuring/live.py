@@ -33,7 +33,8 @@ def paces(found):
             for asked, each in [("1 x", found["real"]), ("20 x", found["fast"])]]
     answers = " and ".join(f"{count} by `{name}`" for name, count in zip(found["localizers"], scans["answers"]))
     return (table(["speed asked for", "reached", "redraws of the map"], rows)
-            + f"\nAt 20 x, {scans['due']} scans were due and {scans['came']} came ({percent(scans['came'] / scans['due'])}); answered were {answers}.\n")
+            + f"\nAt 20 x, {scans['due']} scans were due and {scans['came']} came ({percent(scans['came'] / scans['due'])}); "
+            + f"answered were {answers}.\n")
 
 
 def latencies(found):
@@ -45,7 +46,10 @@ def latencies(found):
 
 def memory(found):
     samples = found["memory"]
-    after = lambda hours: min(samples, key=lambda sample: abs(sample["time_s"] - 3600 * hours))
+
+    def after(hours):
+        return min(samples, key=lambda sample: abs(sample["time_s"] - 3600 * hours))
+
     rows = [[words, *(f"{sample[key]:.0f} MiB" for sample in [after(1), after(HOURS)]), f"{max(each[key] for each in samples):.0f} MiB"]
             for key, words in MEMORY.items()]
     return table(["memory", "after 1 simulated hour", f"after {HOURS}", f"greatest of {len(samples)} samples"], rows)

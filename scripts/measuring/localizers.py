@@ -3,7 +3,7 @@
 import json
 import pathlib
 
-from measuring.lab import LOGS, fence, figure, percent, percentile, share, table
+from measuring.lab import LOGS, fence, figure, mean_of, percent, percentile, share, table
 
 
 def default_run(lab):
@@ -26,15 +26,14 @@ def seven_localizers(lab):
     )
     rows = []
     for name, pooled in summary["localizers"].items():
-        mean = lambda key: summary["figures"].get(f"{name}.{key}", {}).get("mean")
-        wrong = mean("wrong_lock_share")
+        wrong = mean_of(summary, f"{name}.wrong_lock_share")
         recovery = pooled["recovery"]
         rows.append([
             f"`{name}`",
             f"{recovery['recovered']} of {recovery['events']}",
             figure(recovery["time_s"]["mean"], "{:.2f}", " s"),
             figure(recovery["time_s"]["max"], "{:.2f}", " s"),
-            figure(mean("tracking_error_m.mean"), "{:.3f}", " m"),
+            figure(mean_of(summary, f"{name}.tracking_error_m.mean"), "{:.3f}", " m"),
             figure(None if wrong is None else 100 * wrong, "{:.1f}", " %"),
         ])
     return table(["localizer", "recovered", "recovery time, mean", "worst", "tracking error", "wrong without saying so"], rows)
@@ -73,9 +72,11 @@ def replays(lab):
 
 
 def evaluations(lab):
+    def p90(trials):
+        return figure(percentile(trials["time_s"], 90), "{:.1f}", " s")
+
     rows = []
     for row in json.loads(lab.run(["evaluate", *(str(lab.logs / name) for name in LOGS), "--json"])):
-        p90 = lambda trials: figure(percentile(trials["time_s"], 90), "{:.1f}", " s")
         rows.append([
             row["log"], share(row["starts"]), share(row["kidnaps"]), f"{p90(row['starts'])}; {p90(row['kidnaps'])} after a kidnap",
             f"{row['tracking_m']:.3f} m, {57.29578 * row['tracking_yaw_rad']:.1f} deg",
@@ -97,18 +98,24 @@ STRESSES = [("as recorded", []), ("`--odd-scans` (not used for the map)", ["--od
             ("`--erase-walls 0.2 --add-boxes 0.02`", ["--erase-walls", "0.2", "--add-boxes", "0.02"])]
 
 
+def in_each_log(logs, pattern, value):
+    return ", ".join(pattern.format(value(log)) for log in logs)
+
+
+def found_in_each_log(logs, kind):
+    return in_each_log(logs, "{}", lambda log: log[kind]["recovered"]) + f" of {logs[0][kind]['trials']}"
+
+
 def stressed_evaluations(lab):
     table_rows = []
     for words, options in STRESSES:
         logs = json.loads(lab.run(["evaluate", *(str(lab.logs / name) for name in LOGS), *options, "--json"]))
-        each = lambda pattern, value: ", ".join(pattern.format(value(log)) for log in logs)
-        found = lambda kind: each("{}", lambda log: log[kind]["recovered"]) + f" of {logs[0][kind]['trials']}"
         late = [percentile(log[kind]["time_s"], 90) for log in logs for kind in ["starts", "kidnaps"]]
         table_rows.append([
-            words, found("starts"), found("kidnaps"), f"{min(late):.1f} to {max(late):.1f} s",
-            each("{:.2f}", lambda log: 100 * log["wrong_scans"] / log["scans"]) + " %",
-            f"{max(log['longest_wrong_s'] for log in logs):.1f} s", each("{:.3f}", lambda log: log["calibration"]["brier"]),
-            each("{:.1f}", lambda log: 3600 * log["false_alarms"] / log["watched_s"]),
+            words, found_in_each_log(logs, "starts"), found_in_each_log(logs, "kidnaps"), f"{min(late):.1f} to {max(late):.1f} s",
+            in_each_log(logs, "{:.2f}", lambda log: 100 * log["wrong_scans"] / log["scans"]) + " %",
+            f"{max(log['longest_wrong_s'] for log in logs):.1f} s", in_each_log(logs, "{:.3f}", lambda log: log["calibration"]["brier"]),
+            in_each_log(logs, "{:.1f}", lambda log: 3600 * log["false_alarms"] / log["watched_s"]),
             f"{min(log['cpu_mean_ms'] for log in logs):.1f} to {max(log['cpu_mean_ms'] for log in logs):.1f} ms",
         ])
     return table(["", "unknown start found (intel, freiburg-079, aces)", "kidnap recovered", "90 % right within",
@@ -120,6 +127,10 @@ DESIGN_CASES = [("as recorded", []), ("`--blocked 0.3`", ["--blocked", "0.3"]),
 DESIGN_HALL = ["--world", "hall", "--kind", "look-alike", "--min-distance", "1", "--kidnaps", "100"]
 
 
+def total(rows, value):
+    return sum(value(row) for row in rows)
+
+
 def designs(lab):
     file = str(pathlib.Path(__file__).parent / "designs.yaml")
     rows = {}
@@ -127,13 +138,12 @@ def designs(lab):
         logs = json.loads(lab.run(["evaluate", *(str(lab.logs / name) for name in LOGS), "--localizer", file, "--no-tracking", *options, "--json"]))
         for name in dict.fromkeys(row["localizer"] for row in logs):
             own = [row for row in logs if row["localizer"] == name]
-            total = lambda value: sum(value(row) for row in own)
-            found = total(lambda row: row["starts"]["recovered"] + row["kidnaps"]["recovered"])
+            found = total(own, lambda row: row["starts"]["recovered"] + row["kidnaps"]["recovered"])
             rows.setdefault(name, []).append([
-                words, f"`{name}`", f"{found} of {total(lambda row: row['starts']['trials'] + row['kidnaps']['trials'])}",
-                percent(total(lambda row: row["wrong_scans"]) / total(lambda row: row["scans"]), 2),
+                words, f"`{name}`", f"{found} of {total(own, lambda row: row['starts']['trials'] + row['kidnaps']['trials'])}",
+                percent(total(own, lambda row: row["wrong_scans"]) / total(own, lambda row: row["scans"]), 2),
                 f"{max(row['longest_wrong_s'] for row in own):.1f} s",
-                f"{3600 * total(lambda row: row['false_alarms']) / total(lambda row: row['watched_s']):.1f}"])
+                f"{3600 * total(own, lambda row: row['false_alarms']) / total(own, lambda row: row['watched_s']):.1f}"])
     hall = json.loads(lab.run(["bench", "kidnaps", *DESIGN_HALL, "--localizer", file, "--json"]))[0]
     for name, each in hall["localizers"].items():
         told = each["distinguishable"]

@@ -1,6 +1,6 @@
 """Figures of people and kidnaps."""
 
-from measuring.lab import NO_PICTURES, figure, mean, percent, table
+from measuring.lab import NO_PICTURES, figure, mean, mean_of, percent, table
 
 CROWDS = [("count: 8", "people.count=8"), ("count: 20", "people.count=20"),
           ("crowd: {blocked: 0.4}", "people.crowd.blocked=0.4"), ("crowd: {blocked: 0.6}", "people.crowd.blocked=0.6")]
@@ -35,7 +35,7 @@ def times(statistics):
 
 
 def tracking(pooled, name):
-    return pooled["figures"].get(f"{name}.tracking_error_m.mean", {}).get("mean")
+    return mean_of(pooled, f"{name}.tracking_error_m.mean")
 
 
 def kidnap_kinds(lab):
@@ -54,8 +54,8 @@ def kidnap_kinds(lab):
 
 def discrimination(lab):
     pooled, _ = runs_of(lab, ["lab/kidnaps"], 20, "kidnaps")
-    area = lambda name, key: figure(pooled["figures"].get(f"{name}.discrimination.{key}_auc", {}).get("mean"), "{:.4f}")
-    rows = [[f"`{name}`", *(area(name, key) for key in ["quality", "probability", "covariance"])] for name in ["mh_amcl", "amcl"]]
+    rows = [[f"`{name}`", *(figure(mean_of(pooled, f"{name}.discrimination.{key}_auc"), "{:.4f}")
+                            for key in ["quality", "probability", "covariance"])] for name in ["mh_amcl", "amcl"]]
     return table(["area under the ROC curve, mean over seeds", "quality", "stated probability", "covariance"], rows)
 
 

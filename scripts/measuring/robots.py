@@ -1,7 +1,5 @@
 """Figures of the shipped robots."""
 
-import json
-
 from measuring.lab import table
 
 ROBOTS = ["waffle", "disc", "butler", "mule"]

@@ -130,7 +130,8 @@ def beliefs(lab):
         own = {row["log"]: row for row in logs if row["localizer"] == name}
         rows.append([f"{'particles' if belief == 'particles' else 'normal distributions'}, `{refine}`",
                      *(f"{each['recovered']['count']}, {each['recovery_time_s']['mean']:.2f} s, {each['tracking_m']:.3f} m" for each in told),
-                     recovery_text(floors, short), *(trials_text(own[log]) for log in ["freiburg-079", "seattle"]), f"{own['seattle']['cpu_mean_ms']:.2f} ms"])
+                     recovery_text(floors, short), *(trials_text(own[log]) for log in ["freiburg-079", "seattle"]),
+                     f"{own['seattle']['cpu_mean_ms']:.2f} ms"])
     return table(["belief, refined by", "laboratory", "six people", "car park", "freiburg-079", "seattle", "CPU"], rows)
 
 

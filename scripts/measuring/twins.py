@@ -16,11 +16,14 @@ def calibration(lab):
     rows = []
     for name, found in settings.items():
         errors = sorted(abs(each["found"] - each["truth"]) / abs(each["truth"]) for each in found)
-        count = lambda what: f"{sum(each[what] for each in found)} of {len(found)}"
-        rows.append([name, count("near"), count("held"), f"{100 * errors[len(errors) // 2]:.1f} %", f"{100 * errors[-1]:.1f} %"])
+        rows.append([name, *counts(found), f"{100 * errors[len(errors) // 2]:.1f} %", f"{100 * errors[-1]:.1f} %"])
     everything = [setting for found in settings.values() for setting in found]
-    rows.append(["all", *(f"{sum(each[what] for each in everything)} of {len(everything)}" for what in ["near", "held"]), "", ""])
+    rows.append(["all", *counts(everything), "", ""])
     return table(["setting", "near enough", "truth in the interval", "median error", "largest"], rows)
+
+
+def counts(found):
+    return [f"{sum(each[what] for each in found)} of {len(found)}" for what in ["near", "held"]]
 
 
 def likeness(lab):
@@ -48,13 +51,21 @@ def predictions(lab):
             table(["tracking error of `mh_amcl` [m]", "log", "twin"], tracking))
 
 
+DRIFTS = [("drift_along", 3), ("drift_yaw_deg", 2), ("drift_turn_deg", 2)]  # Key, digits.
+
+
+def with_interval(value):
+    """In thousandths."""
+    low, high = value["interval"]
+    return f"{1000 * value['value']:.0f} ({1000 * low:.0f} to {1000 * high:.0f})"
+
+
 def fits(lab):
     rows = []
     for name in PREDICTED:
         fit = json.loads(lab.run(["calibrate", str(lab.logs / name), "--out", f"fits-{name}", "--json"]))
         odometry = fit["odometry"]
-        with_interval = lambda value: f"{1000 * value['value']:.0f} ({1000 * value['interval'][0]:.0f} to {1000 * value['interval'][1]:.0f})"
-        rows.append([name, *(f"{odometry[key]['value']:.{digits}f}" for key, digits in [("drift_along", 3), ("drift_yaw_deg", 2), ("drift_turn_deg", 2)]),
+        rows.append([name, *(f"{odometry[key]['value']:.{digits}f}" for key, digits in DRIFTS),
                      with_interval(odometry["stamp_sigma_s"]), with_interval(odometry["drive_in_base"]["x_m"]),
                      f"{100 * odometry['outlier_share']:.1f}", f"{1000 * fit['range_noise']['sigma_typical_m']['value']:.0f}",
                      f"{fit['mixed_pixels']['divergence_deg']['value']:.2f}"])

@@ -53,28 +53,37 @@ routes: {loop: [[2, 2], [4, 2]]}
 slip_zones: [{outline: [[0, 0], [1, 0], [1, 1]], slip: 0.1}]
 """
 MAP_YAML = "image: map.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"
-URDF = """<robot name="r"><link name="base_link"><inertial><mass value="2"/><inertia ixx=".01" iyy=".02" izz=".02" ixy="0" ixz="0" iyz="0"/></inertial>
+URDF = """<robot name="r"><link name="base_link"><inertial><mass value="2"/>\
+<inertia ixx=".01" iyy=".02" izz=".02" ixy="0" ixz="0" iyz="0"/></inertial>
 <visual><geometry><mesh filename="part.stl" scale="1 1 1"/></geometry></visual>
 <collision><origin xyz="0 0 0.1" rpy="0 0 0"/><geometry><box size="0.3 0.2 0.1"/></geometry></collision></link>
 <link name="l"><collision><origin rpy="1.5708 0 0"/><geometry><cylinder radius="0.05" length="0.02"/></geometry></collision></link>
 <link name="r"><collision><origin rpy="1.5708 0 0"/><geometry><cylinder radius="0.05" length="0.02"/></geometry></collision></link>
 <link name="scan"/>
-<joint name="lj" type="continuous"><parent link="base_link"/><child link="l"/><origin xyz="0 0.12 0"/><axis xyz="0 1 0"/><limit effort="1" velocity="10"/></joint>
+<joint name="lj" type="continuous"><parent link="base_link"/><child link="l"/><origin xyz="0 0.12 0"/><axis xyz="0 1 0"/>\
+<limit effort="1" velocity="10"/></joint>
 <joint name="rj" type="continuous"><parent link="base_link"/><child link="r"/><origin xyz="0 -0.12 0"/><axis xyz="0 1 0"/></joint>
 <joint name="sj" type="fixed"><parent link="base_link"/><child link="scan"/><origin xyz="0 0 0.2"/></joint>
-<gazebo reference="scan"><sensor name="s" type="ray"><update_rate>10</update_rate><ray><scan><horizontal><samples>360</samples><min_angle>-3.1</min_angle><max_angle>3.1</max_angle></horizontal></scan><range><min>0.1</min><max>10</max></range></ray></sensor></gazebo>
+<gazebo reference="scan"><sensor name="s" type="ray"><update_rate>10</update_rate>\
+<ray><scan><horizontal><samples>360</samples><min_angle>-3.1</min_angle><max_angle>3.1</max_angle></horizontal></scan>\
+<range><min>0.1</min><max>10</max></range></ray></sensor></gazebo>
 </robot>
 """
 XACRO = URDF.replace('<robot name="r">', """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
 <xacro:property name="w" value="${2 * 0.1 + 0.1}"/><xacro:arg name="p" default="a"/>
-<xacro:macro name="m" params="n size:=^|3 *block"><link name="${n}_x"/><joint name="${n}_j" type="fixed"><parent link="base_link"/><child link="${n}_x"/><xacro:insert_block name="block"/></joint></xacro:macro>
+<xacro:macro name="m" params="n size:=^|3 *block"><link name="${n}_x"/>\
+<joint name="${n}_j" type="fixed"><parent link="base_link"/><child link="${n}_x"/><xacro:insert_block name="block"/></joint></xacro:macro>
 <xacro:property name="size" value="0.5"/><xacro:m n="$(arg p)"><origin xyz="0 0 ${w * size if True else 1}"/></xacro:m>
-<xacro:if value="${len([1, 2]) == 2}"><link name="yes"/><joint name="yj" type="fixed"><parent link="base_link"/><child link="yes"/></joint></xacro:if>""")
+<xacro:if value="${len([1, 2]) == 2}"><link name="yes"/>\
+<joint name="yj" type="fixed"><parent link="base_link"/><child link="yes"/></joint></xacro:if>""")
 SDF = """<?xml version="1.0"?><sdf version="1.6"><world name="w">
-<model name="box"><static>true</static><pose>1 1 0.5 0 0 0</pose><link name="l"><collision name="c"><geometry><box><size>1 1 1</size></box></geometry></collision>
+<model name="box"><static>true</static><pose>1 1 0.5 0 0 0</pose>\
+<link name="l"><collision name="c"><geometry><box><size>1 1 1</size></box></geometry></collision>
 <visual name="v"><geometry><box><size>1 1 1</size></box></geometry></visual></link></model>
-<model name="wall"><static>1</static><pose>0 3 0.5 0 0 0.3</pose><link name="l"><collision name="c"><geometry><box><size>6 0.2 1</size></box></geometry></collision></link></model>
-<model name="can"><static>1</static><pose>4 0 0.5 0 0 0</pose><link name="l"><collision name="c"><geometry><cylinder><radius>0.3</radius><length>1</length></cylinder></geometry></collision></link></model>
+<model name="wall"><static>1</static><pose>0 3 0.5 0 0 0.3</pose>\
+<link name="l"><collision name="c"><geometry><box><size>6 0.2 1</size></box></geometry></collision></link></model>
+<model name="can"><static>1</static><pose>4 0 0.5 0 0 0</pose>\
+<link name="l"><collision name="c"><geometry><cylinder><radius>0.3</radius><length>1</length></cylinder></geometry></collision></link></model>
 <model name="m"><static>1</static><link name="l"><collision name="c"><geometry><mesh><uri>part.stl</uri></mesh></geometry></collision></link></model>
 </world></sdf>
 """
@@ -82,19 +91,27 @@ STL = "solid a\n" + "".join(
     f"facet normal 0 0 1\nouter loop\nvertex {i} 0 0.1\nvertex {i + 1} 0 0.2\nvertex {i} 1 0.3\nendloop\nendfacet\n"
     for i in range(4)) + "endsolid a\n"
 OBJ = "mtllib part.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 0 1\nf 1//1 2//1 3//1\nf 1 2 4\ng a\nf 2 3 4\n"
-PLY = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n"
+PLY = ("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+       "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n")
 DAE = """<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset><unit meter="1"/></asset>
-<library_geometries><geometry id="g"><mesh><source id="p"><float_array id="pa" count="9">0 0 0 1 0 0 0 1 0</float_array><technique_common><accessor source="#pa" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
-<vertices id="v"><input semantic="POSITION" source="#p"/></vertices><triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles></mesh></geometry></library_geometries>
+<library_geometries><geometry id="g"><mesh><source id="p"><float_array id="pa" count="9">0 0 0 1 0 0 0 1 0</float_array>\
+<technique_common><accessor source="#pa" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>\
+<param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices><triangles count="1">\
+<input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles></mesh></geometry></library_geometries>
 <library_nodes><node id="n"><instance_geometry url="#g"/></node></library_nodes>
-<library_visual_scenes><visual_scene id="s"><node id="a"><instance_node url="#n"/></node></visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>
+<library_visual_scenes><visual_scene id="s"><node id="a"><instance_node url="#n"/></node></visual_scene></library_visual_scenes>\
+<scene><instance_visual_scene url="#s"/></scene></COLLADA>
 """
-GLTF = """{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"children":[]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
-"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36}],
+GLTF = """{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"children":[]}],\
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],\
+"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36}],
 "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}]}"""
 RANGES = " ".join(["2.5"] * 180)
 CARMEN = "PARAM laser_front_laser_fov 180\n" + "".join(
-    f"ODOM {0.1 * i} 0 0 0.5 0 0 {i}.0 h {i}.0\nFLASER 180 {RANGES} {0.1 * i} 0 0 {0.1 * i} 0 0 {i}.05 h {i}.05\nTRUEPOS {0.1 * i} 0 0 {0.1 * i} 0 0 {i}.06 h {i}.06\n"
+    f"ODOM {0.1 * i} 0 0 0.5 0 0 {i}.0 h {i}.0\nFLASER 180 {RANGES} {0.1 * i} 0 0 {0.1 * i} 0 0 {i}.05 h {i}.05\n"
+    f"TRUEPOS {0.1 * i} 0 0 {0.1 * i} 0 0 {i}.06 h {i}.06\n"
     for i in range(6))
 TWIST = "t_s,v,w\n" + "".join(f"{0.1 * i},0.3,0.1\n" for i in range(20))
 DATASET = """name: d
@@ -185,7 +202,6 @@ def mutations(good, rng, count):
             begin = rng.randrange(len(data))
             end = min(len(data), begin + rng.choice([1, 3, 10, 100]))
             yield data[:begin] + data[begin:end] * rng.choice([0, 2, 300]) + data[end:]
-
 
 
 # name: good content, file name, command line
