@@ -5,8 +5,8 @@ const kFont = 'font-family="system-ui, sans-serif" font-size="12"';
 const kHead = 24;  // [px] Height of a plot's title.
 const kFoot = 20;  // [px] Height of the legend below all plots.
 
-function escape(text) {
-  return String(text).replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
+function escape(words) {
+  return String(words).replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 }
 
 function text(x, y, words, color, anchor = 'start') {

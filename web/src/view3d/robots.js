@@ -1,7 +1,6 @@
 // The robot of the 3-D view, and its ghosts: where the localizers believe that it is.
 import {Color, Group, Mesh} from 'three';
 import {geometryOf, material, signGeometry, signMaterial} from './geometry.js';
-import {Light} from './light.js';
 import {floorMatrix, poseMatrix, ringMesh, unpackMesh} from './meshes.js';
 import {kGhostFragment, kLitVertex, kSignFragment, kSignVertex} from './shaders.js';
 

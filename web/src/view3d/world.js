@@ -5,7 +5,6 @@ import {
 } from 'three';
 import {cornersOf} from './camera.js';
 import {floorGeometry, geometryOf, material} from './geometry.js';
-import {Light} from './light.js';
 import {unpackMesh} from './meshes.js';
 import {
   kFillVertex, kFloorFragment, kFloorVertex, kNothingFragment, kPlainVertex, kSurroundingsFragment, kToSun,

@@ -2,7 +2,7 @@
 // CASTAWAY_CHROMIUM: the browser; CASTAWAY_PROGRAM: castaway; CASTAWAY_MODULES: folder of node_modules; CASTAWAY_REPORT: a
 // run's page; CASTAWAY_PAGES: folder of the pages of experiments, comparisons and campaigns.
 import assert from 'node:assert/strict';
-import {join, resolve} from 'node:path';
+import {resolve} from 'node:path';
 import {after, before, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
 import {axeSource, graveViolations} from './axe.mjs';

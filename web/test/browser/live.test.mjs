@@ -4,7 +4,7 @@ import {execFileSync} from 'node:child_process';
 import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
-import {after, before, test} from 'node:test';
+import {after as afterAll, before as beforeAll, test} from 'node:test';
 import {Chromium} from './chromium.mjs';
 import {kTime, LivePage} from './live_page.mjs';
 import {startLive} from './live_program.mjs';
@@ -15,7 +15,7 @@ let page;
 let server;
 let url;
 
-before(async () => {
+beforeAll(async () => {
   ({server, url} = await startLive(process.env.CASTAWAY_PROGRAM, ['--localizer', 'mh_amcl', '--localizer', 'amcl',
     '--set', 'outputs.snapshots=false']));
   browser = await Chromium.start(process.env.CASTAWAY_CHROMIUM);
@@ -23,7 +23,7 @@ before(async () => {
   await browser.open(url);
   await browser.until(`document.getElementById('castaway-live').dataset.ready === 'true'`);
 });
-after(async () => {
+afterAll(async () => {
   await browser.close();
   server.kill('SIGTERM');
 });

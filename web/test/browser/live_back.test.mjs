@@ -5,7 +5,7 @@ import {execFileSync} from 'node:child_process';
 import {mkdtempSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
-import {after, before, test} from 'node:test';
+import {after as afterAll, before as beforeAll, test} from 'node:test';
 import {Chromium} from './chromium.mjs';
 import {kNow, LivePage} from './live_page.mjs';
 import {startLive} from './live_program.mjs';
@@ -18,11 +18,11 @@ let browser;
 let page;
 let live;
 
-before(async () => {
+beforeAll(async () => {
   browser = await Chromium.start(process.env.CASTAWAY_CHROMIUM);
   page = new LivePage(browser);
 });
-after(async () => {
+afterAll(async () => {
   await browser.close();
   rmSync(folder, {recursive: true});
 });

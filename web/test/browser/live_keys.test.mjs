@@ -1,6 +1,6 @@
 // The page of a live run, used by keys alone. CASTAWAY_CHROMIUM: the browser; CASTAWAY_PROGRAM: castaway.
 import assert from 'node:assert/strict';
-import {after, before, test} from 'node:test';
+import {after as afterAll, before as beforeAll, test} from 'node:test';
 import {Chromium} from './chromium.mjs';
 import {startLive} from './live_program.mjs';
 
@@ -10,7 +10,7 @@ const kMost = 200;  // Presses of Tab around the page.
 let browser;
 let live;
 
-before(async () => {
+beforeAll(async () => {
   live = await startLive(process.env.CASTAWAY_PROGRAM, ['--localizer', 'mh_amcl', '--localizer', 'amcl']);
   browser = await Chromium.start(process.env.CASTAWAY_CHROMIUM);
   await browser.open(live.url, {width: 1440, height: 900});
@@ -18,7 +18,7 @@ before(async () => {
     && !document.querySelector('.view-choice').hidden && !document.querySelector('.start').hidden`);
   await press('Escape');
 });
-after(async () => {
+afterAll(async () => {
   await browser.close();
   live.server.kill('SIGTERM');
 });

@@ -1,4 +1,5 @@
 // What is measured inside the page of a live run: its redraws, its speed, the time from a hand to the picture.
+/* global window, document, CanvasRenderingContext2D, addEventListener, requestAnimationFrame */
 
 /** Runs in the page before its own scripts; leaves `window.probe`. */
 function install() {

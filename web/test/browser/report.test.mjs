@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import {mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join, resolve} from 'node:path';
-import {after, before, test} from 'node:test';
+import {after as afterAll, before as beforeAll, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
 import {Chromium} from './chromium.mjs';
 import {kPixels3d, kStill3d} from './pixels3d.mjs';
@@ -13,10 +13,10 @@ const url = pathToFileURL(resolve(process.env.CASTAWAY_REPORT)).href;
 const folder = process.env.CASTAWAY_SCREENSHOTS;
 let browser;
 
-before(async () => {
+beforeAll(async () => {
   browser = await Chromium.start(process.env.CASTAWAY_CHROMIUM);
 });
-after(() => browser.close());
+afterAll(() => browser.close());
 
 const kFrames = 'new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(() => r())))';
 
@@ -246,20 +246,20 @@ test('curves and map are saved', async () => {
   await open();
   const saved = mkdtempSync(join(tmpdir(), 'castaway-saved-'));
   await browser.send('Page.setDownloadBehavior', {behavior: 'allow', downloadPath: saved});
-  const press = (text) => browser.evaluate(`[...document.querySelectorAll('.curves-head button')]
+  const save = (text) => browser.evaluate(`[...document.querySelectorAll('.curves-head button')]
     .find((button) => button.textContent === ${JSON.stringify(text)}).click()`);
-  for (const text of ['Curves as CSV', 'Curves as PNG', 'Curves as SVG', 'Map as PNG']) await press(text);
+  for (const text of ['Curves as CSV', 'Curves as PNG', 'Curves as SVG', 'Map as PNG']) await save(text);
   const done = () => readdirSync(saved).filter((name) => !name.endsWith('.crdownload'));
-  for (let tries = 0; tries < 200 && done().length < 4; ++tries) await new Promise((resolve) => setTimeout(resolve, 50));
+  for (let tries = 0; tries < 200 && done().length < 4; ++tries) await new Promise((r) => setTimeout(r, 50));
   const [csv, curves, svg, map] = done().sort().map((name) => readFileSync(join(saved, name)));
   const lines = csv.toString().trimEnd().split('\n');
   assert.ok(lines[0].startsWith('time_s,mh_amcl.error_m,'));
   assert.equal(lines.length, 1 + 120);  // 12 s at 10 Hz.
   assert.match(svg.toString(), /^<svg [^]*Position error \[m\][^]*<path d="M[^"]*L[^"]*"[^]*mh_amcl<\/text>[^]*<\/svg>\n$/);
   assert.doesNotMatch(svg.toString(), /NaN|undefined|null/);
-  for (const picture of [curves, map]) {
-    assert.deepEqual([...picture.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
-    assert.ok(picture.length > 5000);
+  for (const image of [curves, map]) {
+    assert.deepEqual([...image.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
+    assert.ok(image.length > 5000);
   }
   rmSync(saved, {recursive: true});
   noErrors();
