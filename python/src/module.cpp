@@ -11,6 +11,7 @@
 #include "python/src/run.hpp"
 #include "python/src/scan.hpp"
 #include "python/src/scenario.hpp"
+#include "python/src/signals.hpp"
 #include "python/src/simulation.hpp"
 
 PYBIND11_MODULE(_castaway, module) {
@@ -18,6 +19,7 @@ PYBIND11_MODULE(_castaway, module) {
   module.doc() = "castaway's C++.";
   module.attr("__version__") = CASTAWAY_VERSION;
   bind_errors(module);
+  translate_raised();
   bind_scan(module);
   bind_map(module);
   bind_estimate(module);

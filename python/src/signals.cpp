@@ -1,5 +1,7 @@
 #include "python/src/signals.hpp"
 
+#include <utility>
+
 #include <pybind11/pybind11.h>
 
 #include "tools/base/process/cpu_clock.hpp"
@@ -8,7 +10,22 @@ namespace castaway::python {
 
 void check_signals() {
   const pybind11::gil_scoped_acquire gil;
-  if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
+  if (PyErr_CheckSignals() == 0) return;
+  throw Raised{std::make_exception_ptr(pybind11::error_already_set())};
+}
+
+void translate_raised() {
+  pybind11::register_exception_translator([](std::exception_ptr error) {
+    try {
+      if (error) std::rethrow_exception(std::move(error));
+    } catch (const Raised& raised) {
+      try {
+        std::rethrow_exception(raised.error);
+      } catch (pybind11::error_already_set& python) {
+        python.restore();
+      }
+    }
+  });
 }
 
 void SignalSink::check() {

@@ -2,14 +2,24 @@
 #pragma once
 
 #include <chrono>
+#include <exception>
 
 #include "tools/run/run_sink.hpp"
 
 namespace castaway::python {
 
+/// What a signal handler of Python raised. It is not a std::exception, so that it is never mistaken
+/// for the failure of one output, without which a run goes on.
+struct Raised {
+  std::exception_ptr error;  ///< pybind11::error_already_set
+};
+
 /// Lets Python's signal handlers run. Called without the GIL.
-/// @throws pybind11::error_already_set if one of them raises: KeyboardInterrupt.
+/// @throws Raised if one of them raises: KeyboardInterrupt.
 void check_signals();
+
+/// Makes Python's exceptions of Raised.
+void translate_raised();
 
 /// Checks for signals during a run, at most every 20 ms.
 class SignalSink final : public testbed::RunSink {

@@ -35,8 +35,8 @@ TEST(SettingsCommand, ASavedRunHoldsEverySettingOfItsLocalizers) {
                "--set 'localizers=[mh_amcl, mh_amcl: {mode: paper}]' --out run");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string saved = text_of(folder / "run/scenario.yaml");
-  for (const char* key : {"usual_match_rate:", "suppression_m:", "longest_pause_s:", "proving_m:",
-                          "candidate_sigma:", "max_per_level:", "destroy_below:"}) {
+  for (const char* key : {"false_alarms_per_h:", "deep_candidates:", "suspicious_doubt:", "stays:",
+                          "match_period_s:", "threshold:", "destroy_below:"}) {
     expect_contains(saved, key);
   }
   EXPECT_EQ(castaway(folder, "run run/scenario.yaml --out again").exit_code, 0);

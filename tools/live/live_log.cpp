@@ -106,6 +106,12 @@ void LiveLog::add_orders(const std::string& event) {
   orders_.push_back(std::move(added.node));
 }
 
+bool LiveLog::step() {
+  const bool more = loop_->step(*source_);
+  loop_->require_outputs();
+  return more;
+}
+
 Stamp LiveLog::add(const std::string& event) {
   if (const auto to_scan = splice_of(event)) {
     source_->jump(*to_scan);

@@ -20,7 +20,7 @@ class LiveLog final : public LivePlay {
   /// `bridge`: as of `LiveRun`.
   LiveLog(ReplaySession session, const LiveSinkMaker& make_sink, TopicWriter* bridge = nullptr);
 
-  bool step() override { return loop_->step(*source_); }
+  bool step() override;
   [[nodiscard]] Stamp now() const override { return loop_->now(); }
   [[nodiscard]] std::optional<SE2> true_pose() const override { return source_->true_pose(); }
   [[nodiscard]] Eigen::Isometry3d T_footprint_base() const override {

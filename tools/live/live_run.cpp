@@ -73,7 +73,11 @@ std::string LiveRun::scene() {
   return page_scene_json(scene_, kLiveSceneBytes);
 }
 
-bool LiveRun::step() { return loop_->step(*source_); }
+bool LiveRun::step() {
+  const bool more = loop_->step(*source_);
+  loop_->require_outputs();
+  return more;
+}
 
 /// The simulator's events take place at its next step, a localizer's after the last delivery.
 Stamp LiveRun::time_of(const std::string& event) const {

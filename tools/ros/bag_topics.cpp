@@ -138,7 +138,7 @@ std::string choose_odometry(const BagInventory& bag, const BagTopicOptions& opti
   }
   Names names = topics_of_type(bag, ros::Odometry::kType);
   names.erase(std::remove_if(names.begin(), names.end(), is_truth), names.end());
-  const std::string name = only_one(bag, names, "/odom", "--odom-topic");
+  std::string name = only_one(bag, names, "/odom", "--odom-topic");
   if (name.empty() && topics_of_type(bag, ros::TFMessage::kType).empty()) {
     throw std::runtime_error(fmt::format("{}: holds neither {} nor {}; its topics are: {}",
                                          bag.name, ros::Odometry::kType, ros::TFMessage::kType,

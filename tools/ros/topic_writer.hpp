@@ -20,8 +20,8 @@ class TopicWriter {
   /// Adds a topic with a message type and returns its id. `metadata`: of the topic, for bags.
   template <typename Message>
   std::uint16_t add_topic(const std::string& name, Durability durability = Durability::kVolatile,
-                          std::map<std::string, std::string> metadata = {}) {
-    return add({name, Message::kType, durability, 0}, Message::kDefinition, std::move(metadata));
+                          const std::map<std::string, std::string>& metadata = {}) {
+    return add({name, Message::kType, durability, 0}, Message::kDefinition, metadata);
   }
   /// Takes a message at the run time `delivered`, which must not be earlier than the last
   /// message's.

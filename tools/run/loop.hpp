@@ -72,6 +72,8 @@ class Loop {
   void begin();
   bool step(SensorSource& source);
   void finish(const SensorSource& source);
+  /// Throws what the first sink threw that failed, if one did.
+  void require_outputs() const { outputs_.rethrow(); }
   /// Ends what localizers started, without `finish`. Returns what they used, by name.
   std::map<std::string, OutsideUse> finish_localizers();
   /// Adds an order, not before `now`, as if it had been configured.

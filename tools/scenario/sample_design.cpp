@@ -73,7 +73,7 @@ std::vector<std::string> twice(const std::vector<std::string>& keys) {
 const std::vector<std::string> kDesignNames{"independent", "latin_hypercube", "sobol", "saltelli"};
 
 SampleDesign::SampleDesign(Design design, std::uint64_t root, int seeds,
-                           std::vector<std::string> keys)
+                           const std::vector<std::string>& keys)
     : design_(design), seeds_(seeds), keys_(keys.size()) {
   if (design == Design::kLatinHypercube) quantiles_ = latin_hypercube(root, seeds, keys);
   if (design == Design::kSobol) quantiles_ = sobol_points(root, seeds, keys);

@@ -32,7 +32,7 @@ class SampleDesign {
  public:
   SampleDesign() = default;
   /// `root`: seed of all draws. `seeds`: number of seeds. `keys`: paths of the drawn keys.
-  SampleDesign(Design design, std::uint64_t root, int seeds, std::vector<std::string> keys);
+  SampleDesign(Design design, std::uint64_t root, int seeds, const std::vector<std::string>& keys);
 
   /// `seeds`, except for `kSaltelli`: so many for each of two samples, each key, and the seed.
   [[nodiscard]] int samples() const;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 #include "tools/base/formats/ros_map.hpp"
 #include "tools/batch/dataset/dataset_folder.hpp"

@@ -22,14 +22,9 @@ using localization::Stamp;
 Stamp run_time(const ros::Time& time) { return from_ros_time(time) - kBagEpoch; }
 
 Eigen::Matrix3d planar_covariance(const std::array<double, 36>& covariance) {
-  constexpr std::array<int, 3> kRows{0, 1, 5};  // x, y and the rotation about z.
-  Eigen::Matrix3d planar;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      planar(row, column) = covariance[6 * kRows[row] + kRows[column]];
-    }
-  }
-  return planar;
+  const Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>> whole(covariance.data());
+  const std::array<int, 3> kept{0, 1, 5};  // x, y and the rotation about z.
+  return whole(kept, kept);
 }
 
 SE2 planar_pose(const ros::Transform& transform) {

@@ -37,7 +37,7 @@ inline Eigen::Vector3f scene_color(std::uint32_t rgb) {
 /// Colour of a population of particles: a shade of its localizer's, darker or lighter for two ids
 /// of three. `shade` of web/src/palette.js is the same.
 inline Eigen::Vector3f population_color(std::uint32_t localizer, int id) {
-  const Eigen::Vector3f color = scene_color(localizer);
+  Eigen::Vector3f color = scene_color(localizer);
   constexpr float kDarker = 0.62F;
   constexpr float kLighter = 0.45F;  // Of the way to white.
   switch ((id % 3 + 3) % 3) {

@@ -67,8 +67,8 @@ Eigen::AlignedBox3f bounds_of(const sim::SceneItem& item) {
 
 /// True if there is ground beneath a box's middle or corners, with room for people.
 bool hangs_over_ground(const PictureWorld& world, const Eigen::AlignedBox3f& box) {
-  const Vector3f low = box.min();
-  const Vector3f high = box.max();
+  const Vector3f& low = box.min();
+  const Vector3f& high = box.max();
   const Vector3f middle = box.center();
   for (const Eigen::Vector2f& p :
        {Eigen::Vector2f(middle.x(), middle.y()), Eigen::Vector2f(low.x(), low.y()),

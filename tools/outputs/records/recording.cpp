@@ -31,7 +31,7 @@ Json parse_header(std::string_view bytes, std::size_t& at) {
   at = end + 1;
   const std::string_view text = bytes.substr(kFirstLine.size(), end - kFirstLine.size());
   if (nests_too_deep(text)) refuse("its header is broken");
-  const Json header = Json::parse(text, nullptr, false);
+  Json header = Json::parse(text, nullptr, false);
   if (header.is_discarded() || !header.contains("sections")) refuse("its header is broken");
   return header;
 }

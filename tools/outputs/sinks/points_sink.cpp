@@ -23,8 +23,8 @@ std::string ply_text(const std::vector<CloudPoint>& cloud) {
   return text;
 }
 
-PointsSink::PointsSink(std::filesystem::path run_folder, double every_s)
-    : folder_(std::move(run_folder) / "points"), period_(localization::from_seconds(every_s)) {
+PointsSink::PointsSink(const std::filesystem::path& run_folder, double every_s)
+    : folder_(run_folder / "points"), period_(localization::from_seconds(every_s)) {
   std::filesystem::create_directories(folder_);
 }
 

@@ -15,7 +15,7 @@ namespace castaway::testbed {
 class PointsSink final : public RunSink {
  public:
   /// `every_s` [s]: above 0.
-  PointsSink(std::filesystem::path run_folder, double every_s);
+  PointsSink(const std::filesystem::path& run_folder, double every_s);
 
   void on_event(const RunEvent&) override {}
   void on_odometry(const OdometryFrame&) override {}

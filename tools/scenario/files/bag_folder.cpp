@@ -70,7 +70,7 @@ std::vector<fs::path> bag_files(const fs::path& path) {
   const bool run = !fs::exists(path / "metadata.yaml") && fs::is_directory(path / "bag");
   const fs::path folder = run ? path / "bag" : path;
   const bool described = fs::exists(folder / "metadata.yaml");
-  const std::vector<fs::path> files = described ? files_of_metadata(folder) : files_by_name(folder);
+  std::vector<fs::path> files = described ? files_of_metadata(folder) : files_by_name(folder);
   if (files.empty()) {
     throw std::runtime_error(fmt::format(
         "{}: holds no .mcap or .db3 file; name a bag's folder or its file", folder.string()));

@@ -118,7 +118,7 @@ fs::path shipped_scenarios(const fs::path& world) {
 
 fs::path data_root() {
   const char* named = std::getenv("CASTAWAY_DATA");
-  const fs::path root = named != nullptr ? fs::path(named) : shipped_data();
+  fs::path root = named != nullptr ? fs::path(named) : shipped_data();
   std::error_code none;
   if (fs::is_directory(root / "worlds", none)) return root;
   throw std::runtime_error(fmt::format(

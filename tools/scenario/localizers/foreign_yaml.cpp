@@ -44,7 +44,7 @@ void require_trust(const YamlReader& value, const ForeignRules& rules, const cha
   value.fail(fmt::format("this file {}; add --allow-programs if you trust it", what));
 }
 
-std::vector<std::string> read_command(YamlReader value) {
+std::vector<std::string> read_command(const YamlReader& value) {
   std::vector<std::string> command;
   try {
     command = value.is_list() ? value.as<std::vector<std::string>>()

@@ -63,7 +63,7 @@ bool names_a_file(const std::string& text) {
 std::vector<LocalizerSpec> read_localizers(YamlReader& root, const std::string& key,
                                            const ForeignRules& rules) {
   std::vector<LocalizerSpec> specs;
-  for (YamlReader item : root.list(key)) {
+  for (const YamlReader& item : root.list(key)) {
     specs.push_back(read_localizer(item, rules));
     if (specs.back().name == "truth") {
       item.fail("a localizer cannot be called 'truth': truth.tum is taken");

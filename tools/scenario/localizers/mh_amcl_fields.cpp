@@ -100,7 +100,7 @@ void search_fields(Settings& settings, MhAmclConfig& config) {
 }
 
 /// What is known before a scan: kidnaps, and how much a scan says.
-void prior_fields(Settings settings, localization::PosteriorConfig& prior) {
+void prior_fields(Settings& settings, localization::PosteriorConfig& prior) {
   settings.field(
       {"independent_m", "m", "Distance after which a scan is independent evidence.", kLength},
       prior.scans.independent_m);
@@ -132,7 +132,8 @@ void fields(Settings settings, MhAmclConfig& config) {
   belief_fields(settings, config);
   sensor_fields(settings, config);
   search_fields(settings, config);
-  prior_fields(settings.group("posterior"), config.posterior);
+  Settings posterior = settings.group("posterior");
+  prior_fields(posterior, config.posterior);
 }
 
 void map3d_fields(Settings settings, localization::MhAmcl3dConfig& config) {

@@ -14,7 +14,7 @@ void require_name(const YamlReader& reader, const std::string& key, const std::s
 std::string get_name(YamlReader& reader, const std::string& key, const std::string& fallback) {
   const auto found = reader.find(key);
   if (!found) return reader.get(key, file_name_of(fallback));
-  const std::string name = found->as<std::string>();
+  auto name = found->as<std::string>();
   require_name(*found, key, name);
   return name;
 }

@@ -24,7 +24,7 @@ double required_positive(YamlReader& reader, const std::string& key) {
 }
 
 Eigen::Vector3d size_of(YamlReader& reader) {
-  const auto size = reader.require<Eigen::Vector3d>("size");
+  auto size = reader.require<Eigen::Vector3d>("size");
   if (size.minCoeff() <= 0.0) reader.find("size")->fail("each edge must be above 0 (metres)");
   if (size.maxCoeff() > kMaxLength) {
     reader.find("size")->fail("an edge of more than 1000 m; lengths are in metres");

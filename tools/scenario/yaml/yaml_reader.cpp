@@ -132,7 +132,7 @@ std::pair<std::string, YamlReader> YamlReader::name_and_body() {
 
 std::string YamlReader::choice(const std::string& key, const std::string& fallback,
                                const std::vector<std::string>& allowed) {
-  const std::string value = get(key, fallback);
+  std::string value = get(key, fallback);
   if (!contains(allowed, value)) {
     find(key)->fail(fmt::format("'{}' is not allowed here; {}", value, suggestion(value, allowed)));
   }

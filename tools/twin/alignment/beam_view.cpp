@@ -47,8 +47,9 @@ BeamView BeamViewer::view_of(const AlignedScan& aligned, std::size_t i, const Ex
   view.from = T_grid_laser.translation().head<2>() / frame.resolution;
   view.end = view.from + (view.range_m / frame.resolution) * direction;
   const auto width = static_cast<std::size_t>(frame.width);
-  view.wall = Eigen::Vector2d(static_cast<double>(beam.cell % width) + 0.5,
-                              static_cast<double>(beam.cell / width) + 0.5);
+  const std::size_t column = beam.cell % width;
+  const std::size_t row = beam.cell / width;
+  view.wall = Eigen::Vector2d(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
   const double margin = std::max(kOffWall, 0.02 * r);
   view.foreign = view.returns && r < beam.range - margin &&
                  distances_.at(view.end * frame.resolution) > kOffWall;

@@ -120,7 +120,7 @@ test('colours the path by the error of a localizer', async () => {
 test('says at its head when and where it was made', async () => {
   await open();
   const head = await browser.evaluate("document.getElementById('castaway-made-place').parentElement.textContent");
-  assert.match(head, /castaway [0-9.]+, made on \d{4}-\d\d-\d\d \d\d:\d\d UTC, .* cores?$/);
+  assert.match(head, /castaway [0-9.]+, made on \d{4}-\d\d-\d\d \d\d:\d\d UTC, .* cores?(, at commit [0-9a-f]{12})?$/);
 });
 
 test('opens at the moment of its address', async () => {

@@ -38,7 +38,8 @@ PcdColumns columns_by_point(const std::vector<PcdField>& fields) {
   std::size_t start = 0;
   for (const PcdField& field : fields) {
     const int axis = axis_of(field.name);
-    if (axis >= 0) columns.at(axis) = {field.type, start, point_size(fields)};
+    if (axis >= 0)
+      columns.at(static_cast<std::size_t>(axis)) = {field.type, start, point_size(fields)};
     start += field_size(field);
   }
   return columns;
@@ -50,7 +51,8 @@ PcdColumns columns_by_field(const std::vector<PcdField>& fields, std::size_t poi
   std::size_t start = 0;
   for (const PcdField& field : fields) {
     const int axis = axis_of(field.name);
-    if (axis >= 0) columns.at(axis) = {field.type, start, field.type.size};
+    if (axis >= 0)
+      columns.at(static_cast<std::size_t>(axis)) = {field.type, start, field.type.size};
     start += field_size(field) * points;
   }
   return columns;
@@ -60,7 +62,7 @@ Points gather(std::string_view data, const PcdColumns& columns, std::size_t poin
   Points cloud(points);
   for (std::size_t i = 0; i < points; ++i) {
     for (int axis = 0; axis < 3; ++axis) {
-      const PcdColumn& column = columns.at(axis);
+      const PcdColumn& column = columns.at(static_cast<std::size_t>(axis));
       cloud[i][axis] = scalar_at(data.substr(column.start + i * column.stride), column.type,
                                  std::endian::little);
     }

@@ -178,7 +178,7 @@ Answer read_estimate(const std::string& line, localization::Stamp stamp) {
   require_known(message, {"type", "stamp_ns", "pose", "covariance", "probability", "quality",
                           "lost", "hypotheses"});
   if (!message.contains("stamp_ns")) fail("answered without 'stamp_ns'");
-  const auto answered = message.at("stamp_ns");
+  const auto& answered = message.at("stamp_ns");
   if (answered != stamp.count()) {
     fail(fmt::format("answered for stamp {} instead of {}", quoted(json_text(answered)),
                      stamp.count()));
