@@ -78,7 +78,7 @@ void read_samples(YamlReader& root, CampaignSpec& spec) {
   }
   std::vector<std::string> keys;
   for (const DrawnKey& key : spec.drawn) keys.push_back(key.path);
-  spec.design = SampleDesign(design, spec.seed, seeds.count, std::move(keys));
+  spec.design = SampleDesign(design, spec.seed, seeds.count, keys);
 }
 
 std::optional<UntilSpec> read_until(YamlReader& root, const SampleDesign& design) {

@@ -1,5 +1,7 @@
 #include "tools/scenario/localizers/mh_amcl_fields.hpp"
 
+#include <utility>
+
 #include "tools/scenario/localizers/filter_fields.hpp"
 
 namespace castaway::testbed {
@@ -148,7 +150,7 @@ void map3d_fields(Settings settings, localization::MhAmcl3dConfig& config) {
 
 void fields(Settings settings, localization::MhAmcl3dConfig& config) {
   map3d_fields(settings, config);
-  fields(settings, config.mh_amcl);
+  fields(std::move(settings), config.mh_amcl);
 }
 
 }  // namespace castaway::testbed
