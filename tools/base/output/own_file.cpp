@@ -34,12 +34,13 @@ void require_own_file(const fs::path& file) { require_own(file, load_record(fold
 namespace {
 
 /// The hidden folder of drafts in a locked folder, which is removed with all that is in it. The
-/// list comes first: it says whose the folder of drafts is.
+/// list comes first: it says whose the folder of drafts is. A new list goes, too, unless
+/// `keep_list` is called.
 class Drafts {
  public:
   Drafts(const fs::path& folder, const std::optional<FileRecord>& record)
-      : place_(folder / kStagingName) {
-    if (!record) {
+      : place_(folder / kStagingName), new_list_(!record) {
+    if (new_list_) {
       if (fs::exists(fs::symlink_status(place_))) {
         throw std::runtime_error(place_.string() +
                                  ": castaway did not make it; move it away or name another folder");
@@ -52,13 +53,16 @@ class Drafts {
   ~Drafts() {
     std::error_code none;
     fs::remove_all(place_, none);
+    if (new_list_) fs::remove(place_.parent_path() / kRecordName, none);
   }
   Drafts(const Drafts&) = delete;
   Drafts& operator=(const Drafts&) = delete;
   [[nodiscard]] const fs::path& folder() const { return place_; }
+  void keep_list() { new_list_ = false; }
 
  private:
   fs::path place_;
+  bool new_list_ = false;
 };
 
 /// Lists the file as coming before it comes, so that its list is right whenever the process ends.
@@ -88,9 +92,10 @@ void put_own_file(const fs::path& file, const std::function<void(const fs::path&
   if (record) record = settle(folder, std::move(*record));
   require_own(file, record);
   clear_leftovers(folder);
-  const Drafts drafts(folder, record);
+  Drafts drafts(folder, record);
   const fs::path draft = drafts.folder() / file.filename();
   write(draft);
+  drafts.keep_list();
   move_own_file(draft, file, record.value_or(FileRecord{}));
 }
 

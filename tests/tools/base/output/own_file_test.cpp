@@ -44,6 +44,36 @@ TEST(OwnFile, NeedsAName) {
       contains(error_of([&] { require_own_file(folder.path() / "sub/"); }), "names a folder"));
 }
 
+TEST(OwnFile, ThatCannotBeWrittenLeavesNothing) {
+  const TemporaryFolder folder;
+  const auto fail = [](const fs::path&) { throw std::runtime_error("no picture"); };
+  EXPECT_EQ(error_of([&] { put_own_file(folder.path() / "map.png", fail); }), "no picture");
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(OwnFile, GoesOnAfterAProcessThatWasKilledOnTheWay) {
+  const TemporaryFolder folder;
+  write_own_file(folder.path() / "map.yaml", "old");
+  FileRecord record = load_record(folder.path()).value();
+  record.coming["map.yaml"] = record.single_files.at("map.yaml");
+  record.single_files.clear();  // It came, and the list was not yet told.
+  save_record(folder.path(), record);
+  folder.put(".castaway-unfinished/map.yaml", "half");
+  write_own_file(folder.path() / "map.yaml", "new");
+  EXPECT_EQ(read_file(folder.path() / "map.yaml"), "new");
+  EXPECT_FALSE(fs::exists(folder.path() / ".castaway-unfinished"));
+  EXPECT_TRUE(load_record(folder.path()).value().coming.empty());
+  EXPECT_TRUE(load_record(folder.path()).value().single_files.contains("map.yaml"));
+}
+
+TEST(OwnFile, NeverClearsAFolderOfDraftsOfOthers) {
+  const TemporaryFolder folder;
+  folder.put(".castaway-unfinished/mine", "mine");
+  EXPECT_TRUE(contains(error_of([&] { write_own_file(folder.path() / "map.yaml", "x"); }),
+                       "castaway did not make it"));
+  EXPECT_EQ(read_file(folder.path() / ".castaway-unfinished/mine"), "mine");
+}
+
 TEST(OwnFile, MayReplaceAFileOfARun) {
   const TemporaryFolder folder;
   folder.put("report.html", "<title>castaway: old</title>");
