@@ -31,6 +31,7 @@ function(castaway_install_modules failure)
 endfunction()
 
 if(CASTAWAY_WEB)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/web/package-lock.json)
   find_program(CASTAWAY_NODE NAMES node nodejs)
   find_program(CASTAWAY_NPM npm)
   set(failure "")
