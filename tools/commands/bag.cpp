@@ -56,7 +56,7 @@ std::string summarise(const std::map<std::string, std::string>& texts) {
   std::vector<std::string> parts;
   for (const auto& [key, value] : texts) {
     if (value.size() > kLongest || value.find('\n') != std::string::npos) continue;
-    parts.push_back(key + " " + value);
+    parts.push_back(fmt::format("{} {}", key, value));
   }
   if (parts.size() < texts.size()) parts.emplace_back("... (see --json)");
   return fmt::format("{}", fmt::join(parts, ", "));

@@ -37,7 +37,7 @@ struct CheckArguments {
 
 /// Writes a picture and returns its file name, or why there is none.
 std::string take_picture(const sim::RobotModel& robot, const std::string& out) {
-  const std::string file = out.empty() ? file_name_of(robot.name) + ".png" : out;
+  std::string file = out.empty() ? file_name_of(robot.name) + ".png" : out;
   std::string png;
   try {
     png = sim::encode_png(sim::Renderer(kWidth, kHeight).render(robot_scene(robot)));

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 /// The event, checked for what a list of events in YAML may not hold from outside.
 Json parse_event(const std::string& text) {
-  const Json event = Json::parse(text, nullptr, false);
+  Json event = Json::parse(text, nullptr, false);
   if (!event.is_object() || event.size() != 1 || !event.front().is_object()) {
     throw std::runtime_error("an event is one kind with its settings: {\"kidnap\": {...}}");
   }

@@ -169,9 +169,10 @@ template Option Command::add_option(const Text&, std::optional<double>&, const T
 template Option Command::add_option(const Text&, std::optional<std::int64_t>&, const Text&);
 template Option Command::add_option(const Text&, std::optional<std::uint64_t>&, const Text&);
 
-Option Command::add_option(const std::string& names, std::function<void(const std::string&)> take,
+Option Command::add_option(const std::string& names,
+                           const std::function<void(const std::string&)>& take,
                            const std::string& what) {
-  return Option(app_->add_option_function<std::string>(names, std::move(take), what));
+  return Option(app_->add_option_function<std::string>(names, take, what));
 }
 
 void Command::add_flag(const std::string& names, bool& value, const std::string& what) {

@@ -70,7 +70,7 @@ class Command {
   template <typename T>
   Option add_option(const std::string& names, T& value, const std::string& what);
   /// Adds an option whose value is passed to `take`.
-  Option add_option(const std::string& names, std::function<void(const std::string&)> take,
+  Option add_option(const std::string& names, const std::function<void(const std::string&)>& take,
                     const std::string& what);
   /// Adds a flag; "!--no-x" sets it to false.
   void add_flag(const std::string& names, bool& value, const std::string& what);

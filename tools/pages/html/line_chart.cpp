@@ -115,7 +115,8 @@ std::string line_chart_html(const LineChart& chart) {
   std::string lines;
   for (const ChartLine& line : chart.lines) {
     legend += fmt::format("<span>{}{}</span>", line_sample(line.style), escape_html(line.name));
-    lines = band_svg(line, frame) + lines + line_svg(line, frame);
+    lines.insert(0, band_svg(line, frame));
+    lines += line_svg(line, frame);
   }
   return fmt::format(
       "<div class=\"legend\">{}</div>\n<svg class=\"chart\" viewBox=\"0 0 {:.0f} {:.0f}\" "
