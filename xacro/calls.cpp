@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "xacro/expander.hpp"
-#include "xacro/xml_text.hpp"
+#include "xacro/files/xml_text.hpp"
 
 namespace castaway::xacro {
 namespace {

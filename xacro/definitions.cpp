@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "xacro/expander.hpp"
+#include "xacro/files/xml_text.hpp"
 #include "xacro/substitution.hpp"
-#include "xacro/xml_text.hpp"
 
 namespace castaway::xacro {
 namespace {

@@ -6,8 +6,8 @@
 #include <fmt/ranges.h>
 
 #include "xacro/expander.hpp"
-#include "xacro/nearest_name.hpp"
-#include "xacro/xml_text.hpp"
+#include "xacro/files/nearest_name.hpp"
+#include "xacro/files/xml_text.hpp"
 
 namespace castaway::xacro {
 namespace {

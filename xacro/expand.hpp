@@ -12,8 +12,8 @@
 
 #include <tinyxml.h>
 
+#include "xacro/files/package_finder.hpp"
 #include "xacro/options.hpp"
-#include "xacro/package_finder.hpp"
 
 namespace castaway::xacro {
 

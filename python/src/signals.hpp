@@ -18,7 +18,7 @@ struct Raised {
 /// @throws Raised if one of them raises: KeyboardInterrupt.
 void check_signals();
 
-/// Makes Python's exceptions of Raised.
+/// From here on, a Raised that leaves C++ is the exception of Python that it holds.
 void translate_raised();
 
 /// Checks for signals during a run, at most every 20 ms.

@@ -7,7 +7,7 @@ from measuring import foreign, live, localizers, people, robots, ros2, sensors, 
 from measuring.lab import bench
 
 LOOP = ["localization", "tools/run/metrics", "tools/run/loop.cpp", "tools/build/build_localizers.cpp"]
-WORLD = ["sim", ":(exclude)sim/render", "tools/build/build_*.cpp", "tools/build/simulator_source.cpp", "worlds/lab", "robots/waffle"]
+WORLD = ["sim", "xacro", ":(exclude)sim/render", "tools/build/build_*.cpp", "tools/build/simulator_source.cpp", "worlds/lab", "robots/waffle"]
 SIMULATOR = LOOP + WORLD
 TWIN = ["tools/twin/alignment", ":(glob)tools/twin/*", "tools/twin/odometry", "tools/twin/fits"]
 FOREIGN = ["tools/build/foreign", "tools/run/foreign_config.*pp", "tools/run/ros2_config.hpp"] + [

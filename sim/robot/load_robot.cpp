@@ -18,7 +18,7 @@
 #include "sim/robot/urdf/part_points.hpp"
 #include "sim/robot/urdf/urdf_parts.hpp"
 #include "xacro/expand.hpp"
-#include "xacro/xml_text.hpp"
+#include "xacro/files/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

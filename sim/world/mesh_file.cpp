@@ -14,7 +14,7 @@
 
 #include <assimp/Importer.hpp>
 
-#include "xacro/git_lfs.hpp"
+#include "xacro/files/git_lfs.hpp"
 
 namespace castaway::sim {
 namespace {

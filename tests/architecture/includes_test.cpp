@@ -28,7 +28,7 @@ std::vector<Include> all_includes() {
   static const std::regex line_of(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
   const fs::path root = CASTAWAY_SOURCE_DIR;
   std::vector<Include> includes;
-  for (const char* part : {"localization", "sim", "tools", "python"}) {
+  for (const char* part : {"localization", "xacro", "sim", "tools", "python"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".hpp" && extension != ".cpp") continue;
@@ -72,6 +72,16 @@ TEST(Includes, LocalizationKnowsNothingButEigenBoostAndTheStandardLibrary) {
                          !starts_with(h, "boost/random/");
                 },
                 [](const std::string& f) { return !starts_with(f, "localization/"); }),
+            Names{});
+}
+
+TEST(Includes, XacroKnowsNoOtherLibraryOfOurs) {
+  EXPECT_EQ(violations(
+                [](const std::string& h) {
+                  return h.find('/') != std::string::npos && !starts_with(h, "xacro/") &&
+                         !starts_with(h, "fmt/");
+                },
+                [](const std::string& f) { return !starts_with(f, "xacro/"); }),
             Names{});
 }
 
@@ -268,6 +278,10 @@ TEST(Includes, RoomsOfTheLocalizersFormLayers) {
   EXPECT_EQ(against_layers(kLocalizationLayers, "localization/"), Names{});
 }
 
+TEST(Includes, RoomsOfXacroFormLayers) {
+  EXPECT_EQ(against_layers({{"xacro/files"}, {"xacro"}}, "xacro/"), Names{});
+}
+
 TEST(Includes, RoomsOfTheSimulatorFormLayers) {
   EXPECT_EQ(against_layers(kSimLayers, "sim/"), Names{});
 }
@@ -284,7 +298,7 @@ TEST(Includes, ARoomInTheWrongLayerIsFound) {
 /// A larger folder should be divided by subject.
 TEST(Includes, NoRoomHoldsMoreThanThirtyFiles) {
   std::map<std::string, int> files;
-  for (const char* part : {"localization", "sim", "tools", "python"}) {
+  for (const char* part : {"localization", "xacro", "sim", "tools", "python"}) {
     for (const auto& entry :
          fs::recursive_directory_iterator(fs::path(CASTAWAY_SOURCE_DIR) / part)) {
       const std::string extension = entry.path().extension().string();
@@ -299,7 +313,7 @@ TEST(Includes, NoRoomHoldsMoreThanThirtyFiles) {
 
 TEST(Names, OfTheProductEndInNeitherTestNorSpec) {
   const fs::path root = CASTAWAY_SOURCE_DIR;
-  for (const char* part : {"localization", "sim", "tools", "python"}) {
+  for (const char* part : {"localization", "xacro", "sim", "tools", "python"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
       const std::string stem = entry.path().stem().string();
       EXPECT_FALSE(stem.ends_with("_test") || stem.ends_with("_spec")) << entry.path();
@@ -319,7 +333,7 @@ TEST(Includes, OnlyTheProgramReadsWallClocks) {
 Names lines_with(const std::regex& pattern) {
   const fs::path root = CASTAWAY_SOURCE_DIR;
   Names found;
-  for (const char* part : {"localization", "sim", "tools", "python", "tests"}) {
+  for (const char* part : {"localization", "xacro", "sim", "tools", "python", "tests"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".hpp" && extension != ".cpp") continue;

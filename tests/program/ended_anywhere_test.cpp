@@ -84,7 +84,7 @@ class EndedAnywhere : public testing::TestWithParam<Written> {
   }
 
   /// A copy of the inputs with what the commands before leave.
-  [[nodiscard]] fs::path prepared(const std::string& name) const {
+  [[nodiscard]] fs::path prepare_folder(const std::string& name) const {
     const fs::path place = folder_ / name;
     fs::remove_all(place);
     fs::copy(folder_ / "inputs", place, fs::copy_options::recursive);
@@ -105,7 +105,7 @@ class EndedAnywhere : public testing::TestWithParam<Written> {
   }
 
   /// Some of the numbers 1 to `calls`.
-  static std::vector<unsigned> drawn(unsigned calls) {
+  static std::vector<unsigned> draw_calls(unsigned calls) {
     std::vector<unsigned> all(calls);
     std::iota(all.begin(), all.end(), 1U);
     localization::Rng rng = localization::substream(1, GetParam().name);
@@ -119,13 +119,13 @@ class EndedAnywhere : public testing::TestWithParam<Written> {
 
   /// Disturbs the command at calls, repeats it, and compares.
   void expect_the_same_bytes(bool full) const {
-    const fs::path whole = prepared("whole");
+    const fs::path whole = prepare_folder("whole");
     const unsigned calls = play_until(whole, 0, false);
     const auto expected = lasting_files(whole);
     ASSERT_GT(calls, 0U);
-    for (const unsigned at : drawn(calls)) {
+    for (const unsigned at : draw_calls(calls)) {
       SCOPED_TRACE(fmt::format("call {} of {}", at, calls));
-      const fs::path place = prepared("disturbed");
+      const fs::path place = prepare_folder("disturbed");
       play_until(place, at, full);
       const Outcome again = castaway(place, GetParam().command);
       ASSERT_EQ(again.exit_code, 0) << again.err;

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "sim/common/xml_pose.hpp"
-#include "xacro/xml_text.hpp"
+#include "xacro/files/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

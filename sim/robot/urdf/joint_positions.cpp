@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "xacro/nearest_name.hpp"
+#include "xacro/files/nearest_name.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "xacro/package_finder.hpp"
+#include "xacro/files/package_finder.hpp"
 
 namespace castaway::sim {
 

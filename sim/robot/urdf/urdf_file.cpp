@@ -9,7 +9,7 @@
 #include "sim/robot/urdf/urdf_repairs.hpp"
 #include "sim/robot/urdf/urdf_tree.hpp"
 #include "xacro/expand.hpp"
-#include "xacro/xml_text.hpp"
+#include "xacro/files/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

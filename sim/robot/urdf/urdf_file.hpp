@@ -8,8 +8,8 @@
 #include <tinyxml.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include "xacro/files/package_finder.hpp"
 #include "xacro/options.hpp"
-#include "xacro/package_finder.hpp"
 
 namespace castaway::sim {
 

@@ -5,7 +5,7 @@
 
 #include "sim/common/xml_pose.hpp"
 #include "sim/world/sdf/flat_names.hpp"
-#include "xacro/xml_text.hpp"
+#include "xacro/files/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

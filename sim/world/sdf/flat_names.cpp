@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "xacro/xml_text.hpp"
+#include "xacro/files/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/world/sdf/scenery.hpp"
-#include "xacro/xml_text.hpp"
+#include "xacro/files/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

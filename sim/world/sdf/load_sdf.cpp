@@ -12,7 +12,7 @@
 #include "sim/world/sdf/sdf_bodies.hpp"
 #include "sim/world/sdf/world_pieces.hpp"
 #include "xacro/expand.hpp"
-#include "xacro/xml_text.hpp"
+#include "xacro/files/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

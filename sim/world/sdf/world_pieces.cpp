@@ -10,7 +10,7 @@
 #include "sim/world/sdf/model_spread.hpp"
 #include "sim/world/sdf/population.hpp"
 #include "sim/world/sdf/scenery.hpp"
-#include "xacro/xml_text.hpp"
+#include "xacro/files/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

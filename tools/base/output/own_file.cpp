@@ -27,12 +27,6 @@ void require_own(const fs::path& file, const std::optional<FileRecord>& record) 
                            "it away or give another name");
 }
 
-}  // namespace
-
-void require_own_file(const fs::path& file) { require_own(file, load_record(folder_of(file))); }
-
-namespace {
-
 /// The hidden folder of drafts in a locked folder, which is removed with all that is in it. The
 /// list comes first: it says whose the folder of drafts is. A new list goes, too, unless
 /// `keep_list` is called.
@@ -82,6 +76,8 @@ void move_own_file(const fs::path& draft, const fs::path& file, FileRecord recor
 }
 
 }  // namespace
+
+void require_own_file(const fs::path& file) { require_own(file, load_record(folder_of(file))); }
 
 void put_own_file(const fs::path& file, const std::function<void(const fs::path& draft)>& write) {
   const fs::path folder = folder_of(file);

@@ -29,6 +29,14 @@ void check_all(const OutputRequest& request, const std::vector<PlannedRun>& runs
   }
 }
 
+/// Removes the drafts of runs that were killed, or ended by an error, when they had just finished.
+void clear_drafts(const fs::path& target, const std::vector<PlannedRun>& runs) {
+  std::error_code none;
+  for (const PlannedRun& run : runs) {
+    if (load_record(target / run.folder)) fs::remove_all(target / run.folder / kStagingName, none);
+  }
+}
+
 std::vector<std::string> folders_of(const std::vector<PlannedRun>& runs) {
   std::vector<std::string> folders;
   for (const PlannedRun& run : runs) folders.push_back(run.folder);
@@ -55,6 +63,7 @@ RunsFolder::RunsFolder(OutputRequest request, std::vector<PlannedRun> runs)
   record_.finished = false;
   goes_on_ = !earlier_.finished && earlier_.made_by == record_.made_by &&
              earlier_.settings == record_.settings && earlier_.program == record_.program;
+  if (goes_on_) clear_drafts(request_.target, runs_);
   for (const std::string& folder : folders_of(runs_)) {
     const auto& known = record_.runs;
     if (std::find(known.begin(), known.end(), folder) == known.end()) {
@@ -74,12 +83,8 @@ RunsFolder::~RunsFolder() {
 bool RunsFolder::has_run(std::size_t index) const {
   if (!goes_on_) return false;
   const PlannedRun& run = runs_[index];
-  const fs::path folder = request_.target / run.folder;
-  const auto record = load_record(folder);
-  if (!record || !record->finished || record->settings != run.settings) return false;
-  std::error_code none;  // What is left if it was killed just after it had finished.
-  fs::remove_all(folder / kStagingName, none);
-  return true;
+  const auto record = load_record(request_.target / run.folder);
+  return record && record->finished && record->settings == run.settings;
 }
 
 void RunsFolder::put(const std::string& name, std::string_view bytes) {

@@ -36,7 +36,7 @@ fs::path repository_of(fs::path folder) {
   return fs::is_directory(git, none) ? git : folder / value_of(first_line(git), "gitdir: ");
 }
 
-std::string packed(const fs::path& shared, const std::string& ref) {
+std::string find_packed_ref(const fs::path& shared, const std::string& ref) {
   std::ifstream refs(shared / "packed-refs");
   for (std::string line; std::getline(refs, line);) {
     const std::size_t space = line.find(' ');
@@ -49,7 +49,7 @@ std::string commit_of_ref(const fs::path& git, const std::string& ref) {
   const std::string common = first_line(git / "commondir");
   const fs::path shared = common.empty() ? git : git / common;
   const std::string loose = first_line(shared / ref);
-  return loose.empty() ? packed(shared, ref) : loose;
+  return loose.empty() ? find_packed_ref(shared, ref) : loose;
 }
 
 }  // namespace

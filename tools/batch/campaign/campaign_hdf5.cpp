@@ -103,8 +103,8 @@ void write_cells(const CampaignSpec& spec, RowIndex& rows, Hdf5File& file) {
   for (const int index : rows.cells()) {
     const CellRow row = rows.row(index);
     cell.add(index);
-    const int cell_of = index / spec.samples();
-    combination.add(cell_of);
+    const int combination_of_cell = index / spec.samples();
+    combination.add(combination_of_cell);
     seed.add(static_cast<double>(row.seed));
     state.add(static_cast<double>(row.state));
     for (std::size_t k = 0; k < drawn.size(); ++k) {

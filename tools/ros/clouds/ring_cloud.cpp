@@ -78,7 +78,8 @@ Rings rings_of(const ros::PointCloud2& cloud, const CloudTimes& times) {
     const double time = times.at(i);
     if (!(range >= kNearest && range <= kFarthest) || !std::isfinite(time)) continue;
     const double flat = p.head<2>().norm();
-    const double id = ring ? ring->at(i) : static_cast<double>(std::size_t{i / cloud.width});
+    const std::size_t row = i / cloud.width;
+    const double id = ring ? ring->at(i) : static_cast<double>(row);
     if (!(id >= 0.0 && id <= kLargestRing)) continue;
     rings[static_cast<int>(id)].push_back(
         {std::atan2(p.y(), p.x()), std::atan2(p.z(), flat), range, time});

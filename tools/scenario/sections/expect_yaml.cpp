@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "tools/run/metrics/metric_paths.hpp"
-#include "xacro/nearest_name.hpp"
+#include "xacro/files/nearest_name.hpp"
 
 namespace castaway::testbed {
 namespace {

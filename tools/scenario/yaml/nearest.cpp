@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "xacro/nearest_name.hpp"
+#include "xacro/files/nearest_name.hpp"
 
 namespace castaway::testbed {
 

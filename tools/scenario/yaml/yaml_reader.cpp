@@ -7,7 +7,7 @@
 
 #include "tools/base/files/file.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
-#include "xacro/nearest_name.hpp"
+#include "xacro/files/nearest_name.hpp"
 
 namespace castaway::testbed {
 namespace {

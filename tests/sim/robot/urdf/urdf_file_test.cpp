@@ -6,7 +6,7 @@
 
 #include "sim/robot/urdf/urdf_tree.hpp"
 #include "tests/support/robot_files.hpp"
-#include "xacro/xml_text.hpp"
+#include "xacro/files/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "xacro/xml_text.hpp"
+#include "xacro/files/xml_text.hpp"
 
 namespace castaway::sim {
 namespace {

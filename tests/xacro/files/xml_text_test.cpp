@@ -1,4 +1,4 @@
-#include "xacro/xml_text.hpp"
+#include "xacro/files/xml_text.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "xacro/xml_text.hpp"
+#include "xacro/files/xml_text.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "xacro/git_lfs.hpp"
+#include "xacro/files/git_lfs.hpp"
 
 namespace castaway {
 namespace {

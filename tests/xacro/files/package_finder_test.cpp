@@ -1,4 +1,4 @@
-#include "xacro/package_finder.hpp"
+#include "xacro/files/package_finder.hpp"
 
 #include <cstdlib>
 

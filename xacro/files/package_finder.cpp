@@ -1,4 +1,4 @@
-#include "xacro/package_finder.hpp"
+#include "xacro/files/package_finder.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "xacro/xml_text.hpp"
+#include "xacro/files/xml_text.hpp"
 
 namespace castaway {
 namespace {

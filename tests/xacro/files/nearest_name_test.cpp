@@ -1,4 +1,4 @@
-#include "xacro/nearest_name.hpp"
+#include "xacro/files/nearest_name.hpp"
 
 #include <gtest/gtest.h>
 
