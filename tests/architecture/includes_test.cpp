@@ -207,9 +207,10 @@ const Layers kToolsLayers = {
     {"tools/play"},
     {"tools/play/replay"},
     // 8. batch
-    {"tools/batch/campaign/rows", "tools/batch/cluster", "tools/batch/compare",
-     "tools/batch/dataset", "tools/batch/trials"},
-    {"tools/batch/bench", "tools/batch/campaign", "tools/batch/evaluate", "tools/batch/seeds"},
+    {"tools/batch/jobs"},
+    {"tools/batch/cluster", "tools/batch/compare", "tools/batch/trials"},
+    {"tools/batch/bench", "tools/batch/campaign", "tools/batch/dataset", "tools/batch/evaluate",
+     "tools/batch/seeds"},
     // 9. twin
     {"tools/twin/alignment"},
     {"tools/twin/fits"},

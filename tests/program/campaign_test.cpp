@@ -200,7 +200,7 @@ TEST(Campaign, NoticesThatAWorldHasChanged) {
   const fs::path folder = folder_with_grid();
   ASSERT_EQ(castaway(folder, "campaign s.yaml --out c -j 2").exit_code, 0);
   std::ofstream(folder / "room.pgm", std::ios::app) << "255\n";
-  expect_refused(castaway(folder, "campaign s.yaml --out c"), {"worlds or robots"});
+  expect_refused(castaway(folder, "campaign s.yaml --out c"), {"worlds, robots or logs"});
 }
 
 TEST(Campaign, RefusesBadSpecificationsInOneLine) {

@@ -145,5 +145,22 @@ TEST(Dataset, TellsTroubleWithTheDiskInOneLine) {
   expect_contains(outcome.err, "castaway: file/set: cannot be made (Not a directory)");
 }
 
+TEST(Dataset, IsMadeByShards) {
+  const fs::path folder = folder_with_spec();
+  ASSERT_EQ(castaway(folder, "dataset s.yaml -n 5 --out one").exit_code, 0);
+  const Outcome first = castaway(folder, "dataset s.yaml -n 5 --out set --shard 1/2");
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  expect_contains(first.out, "Shard 1 of 2: 3 sequences made");
+  EXPECT_FALSE(fs::exists(folder / "set/manifest.json"));
+  const Outcome early = castaway(folder, "dataset s.yaml -n 5 --out set --collect");
+  EXPECT_EQ(early.exit_code, 1);
+  expect_contains(early.err, "3 of 5 sequences are finished; run the shards of the rest again");
+  ASSERT_EQ(castaway(folder, "dataset s.yaml -n 5 --out set --shard 2/2").exit_code, 0);
+  ASSERT_EQ(castaway(folder, "dataset s.yaml -n 5 --out set --collect").exit_code, 0);
+  expect_equal(folder / "one", folder / "set");
+  expect_refused(castaway(folder, "dataset s.yaml -n 5 --out none --collect"),
+                 {"none", "no dataset.json"});
+}
+
 }  // namespace
 }  // namespace castaway::test

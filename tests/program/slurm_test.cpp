@@ -1,43 +1,14 @@
 // Tests castaway campaign --slurm with stand-ins for Slurm's commands. They run each task at once.
 #include "tests/program/campaign_files.hpp"
+#include "tests/program/slurm_stand_in.hpp"
 
 namespace castaway::test {
 namespace {
 
-/// Runs the tasks of --array, or the script. Task 2 is lost the first time if there is a file
-/// "lose". Jobs are numbered from 71 on; each call is noted in "calls".
-constexpr const char* kSbatch = R"(#!/bin/bash
-here=$(dirname "$0")
-echo "$*" >>"$here/calls"
-script="${@: -1}"
-for word in "$@"; do case $word in --array=*) array=${word#--array=} ;; esac; done
-number=$((70 + $(wc -l <"$here/calls")))
-case $array in
-  "") bash "$script" >/dev/null 2>&1 ;;
-  *-*) tasks=$(seq ${array/-/ }) ;;
-  *) tasks=${array//,/ } ;;
-esac
-for task in $tasks; do
-  if [ "$task" = 2 ] && rm "$here/lose" 2>/dev/null; then continue; fi
-  SLURM_ARRAY_TASK_ID=$task bash "$script" >/dev/null 2>&1
-done
-echo "$number;cluster"
-)";
-constexpr const char* kSqueue =
-    "#!/bin/sh\necho 'slurm_load_jobs error: Invalid job id' >&2\nexit 1\n";
-
-/// The folder of a campaign with bin/sbatch and bin/squeue.
 fs::path folder_with_slurm() {
   const fs::path folder = folder_with_grid();
-  for (const auto& [name, text] : {std::pair{"sbatch", kSbatch}, std::pair{"squeue", kSqueue}}) {
-    write(folder / "bin" / name, text);
-    fs::permissions(folder / "bin" / name, fs::perms::owner_all);
-  }
+  put_slurm(folder);
   return folder;
-}
-
-Outcome on_slurm(const fs::path& folder, const std::string& arguments) {
-  return castaway(folder, arguments, "PATH='" + (folder / "bin").string() + "':\"$PATH\"");
 }
 
 TEST(Slurm, GivesTheTablesOfOneProcess) {
@@ -92,6 +63,20 @@ TEST(Slurm, GivesUpWhereShardsNeverEnd) {
   const Outcome again = on_slurm(folder, "campaign s.yaml --out c --attach");
   EXPECT_EQ(again.exit_code, 1);
   EXPECT_EQ(times_submitted_again(again.err), 0);
+}
+
+TEST(Slurm, MakesDataSets) {
+  const fs::path folder = folder_with_spec();
+  put_slurm(folder);
+  write(folder / "bin/lose", "");
+  ASSERT_EQ(castaway(folder, "dataset s.yaml -n 5 --out one").exit_code, 0);
+  const Outcome made =
+      on_slurm(folder, "dataset s.yaml -n 5 --out set --slurm --array-size 2 -j 2");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  expect_contains(made.err, "shards 2 of 2 ended with sequences missing; submitted again");
+  expect_equal(folder / "one", folder / "set");
+  EXPECT_TRUE(fs::exists(folder / "set.slurm/array.sh"));
+  EXPECT_EQ(castaway(folder, "dataset --verify set").exit_code, 0);
 }
 
 TEST(Slurm, RefusesInOneLine) {

@@ -9,6 +9,7 @@
 #include "tools/base/output/say.hpp"
 #include "tools/batch/dataset/dataset_manifest.hpp"
 #include "tools/batch/dataset/dataset_only.hpp"
+#include "tools/commands/arguments/batch_arguments.hpp"
 #include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/pages/dataset/dataset_pages.hpp"
@@ -22,7 +23,7 @@ struct DatasetArguments {
   DatasetRequest request;
   std::string spec;
   bool allow_programs = false;
-  std::string out;
+  BatchArguments batch;
   std::string verify;
   std::uint64_t seed = 1;
   int only = -1;
@@ -50,15 +51,24 @@ int dataset(DatasetArguments arguments, bool seeded) {
   if (arguments.spec.empty()) {
     throw std::invalid_argument("dataset: give a specification (datasets/*.yaml), or --verify DIR");
   }
-  if (arguments.out.empty()) throw std::invalid_argument("dataset: say where with --out DIR");
+  BatchArguments& batch = arguments.batch;
+  if (batch.out.empty()) throw std::invalid_argument("dataset: say where with --out DIR");
+  batch.check();
   DatasetRequest& request = arguments.request;
   request.spec = arguments.spec;
-  request.out = arguments.out;
+  request.out = batch.out;
+  request.workers = batch.request.workers;
+  request.shard = batch.request.shard;
+  request.collect = batch.request.collect;
   request.pages = dataset_pages;
   request.report = write_report;
   if (seeded) request.overrides.seed = arguments.seed;
   request.overrides.programs = file_programs(arguments.allow_programs);
-  return arguments.only >= 0 ? make_only(request, arguments.only) : make_dataset(request);
+  if (arguments.only >= 0) return make_only(request, arguments.only);
+  if (batch.cluster.slurm || batch.cluster.attach) {
+    return make_dataset_on_slurm(request, batch.cluster);
+  }
+  return make_dataset(request);
 }
 
 }  // namespace
@@ -70,8 +80,10 @@ void add_dataset_command(Command& app) {
   command.add_option("spec", a->spec, "Specification (YAML): docs/datasets.md");
   add_allow_programs(command, a->allow_programs);
   command.add_option("-n", a->request.sequences, "Sequences").show_default().range(1, 999999);
-  command.add_option("-j", a->request.workers, "At a time").show_default().range(1, 1024);
-  command.add_option("--out", a->out, "Folder to create or to resume");
+  BatchRequest& batch = a->batch.request;
+  command.add_option("-j,--jobs", batch.workers, "At a time").show_default().range(1, 1024);
+  command.add_option("--out", a->batch.out, "Folder to create or to resume");
+  add_sharing_options(command, a->batch, "sequences");
   const Option seed =
       command.add_option("--seed", a->seed, "Root seed; overrides the specification's");
   command

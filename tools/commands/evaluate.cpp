@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,8 @@
 #include "tools/base/output/progress_line.hpp"
 #include "tools/base/output/say.hpp"
 #include "tools/batch/evaluate/evaluation.hpp"
+#include "tools/batch/jobs/kept_trials.hpp"
+#include "tools/commands/arguments/batch_arguments.hpp"
 #include "tools/commands/arguments/log_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/play/progress.hpp"
@@ -33,6 +36,7 @@ struct EvaluateArguments {
   std::string truth_in_map;
   EvaluationConfig config;
   std::string kidnap_to = "far";
+  BatchArguments batch;
   bool json = false;
 };
 
@@ -116,27 +120,78 @@ SE2 pose_of(const std::string& text) {
   return {pose.x(), pose.y(), pose.z()};
 }
 
+/// What the command line asks for.
+struct Asked {
+  EvaluateArguments arguments;
+  std::vector<LocalizerSpec> specs;
+  PlaceMaps maps;
+
+  [[nodiscard]] int trials_each() const {
+    const EvaluationConfig& config = arguments.config;
+    return config.starts + config.kidnaps + (config.tracking ? 1 : 0);
+  }
+  /// Of all logs and localizers.
+  [[nodiscard]] int trials() const {
+    return trials_each() * static_cast<int>(arguments.folders.size() * specs.size());
+  }
+};
+
+/// Evaluates all localizers on all logs. Prints and returns the rows that are whole. `kept`: null
+/// without a folder.
+nlohmann::ordered_json evaluate_all(const Asked& asked, KeptTrials* kept) {
+  const EvaluateArguments& arguments = asked.arguments;
+  EvaluationConfig config = arguments.config;
+  config.run = kept != nullptr ? kept->runner() : run_at_once(arguments.batch.request.workers);
+  auto rows = nlohmann::ordered_json::array();
+  for (const std::string& folder : arguments.folders) {
+    const RecordedPlace place = load_recorded_place(folder, asked.maps);
+    for (const std::string& warning : place.warnings) print_warning(warning);
+    require_truth(place.name, place.frames);
+    for (const LocalizerSpec& spec : asked.specs) {
+      std::optional<TrialCount> count;
+      if (kept == nullptr) count.emplace(asked.trials_each());
+      const EvaluationRow row = evaluate(place, spec, config, [&count] {
+        if (count) count->next();
+      });
+      if (kept != nullptr && !kept->has_all()) continue;
+      if (!arguments.json && rows.empty() && !is_narrow()) print_line(kHead);
+      if (!arguments.json) print_row(row);
+      rows.push_back(to_json(row));
+    }
+  }
+  return rows;
+}
+
+int evaluate_kept(const Asked& asked, BatchRequest request) {
+  KeptTrials kept(std::move(request), identity_of_command("evaluation"), asked.trials());
+  const auto rows = evaluate_all(asked, &kept);
+  if (!kept.has_all()) return kept.report();
+  kept.folder().put("summary.json", json_text(rows, 1) + "\n");
+  if (asked.arguments.json) {
+    print_out("{}\n", json_text(rows, 1));
+  } else {
+    print_out("Folder: {}\n", kept.folder().path().string());
+  }
+  return kDone;
+}
+
 int evaluate_logs(EvaluateArguments arguments) {
+  arguments.batch.check();
   const std::vector<LocalizerSpec> specs = arguments.localizers.specs({"mh_amcl"});
   arguments.config.kidnap_to = parse_splice_kind(arguments.kidnap_to);
   validate(arguments.config);
   PlaceMaps maps = maps_for(specs, arguments.map3d);
   if (!arguments.truth_in_map.empty()) maps.T_map_truth = pose_of(arguments.truth_in_map);
-  auto rows = nlohmann::ordered_json::array();
-  for (const std::string& folder : arguments.folders) {
-    const RecordedPlace place = load_recorded_place(folder, maps);
-    for (const std::string& warning : place.warnings) print_warning(warning);
-    require_truth(place.name, place.frames);
-    if (!arguments.json && rows.empty() && !is_narrow()) print_line(kHead);
-    for (const LocalizerSpec& spec : specs) {
-      const EvaluationConfig& config = arguments.config;
-      TrialCount count(config.starts + config.kidnaps + (config.tracking ? 1 : 0));
-      const EvaluationRow row = evaluate(place, spec, config, [&count] { count.next(); });
-      if (!arguments.json) print_row(row);
-      rows.push_back(to_json(row));
-    }
+  const Asked asked{std::move(arguments), specs, maps};
+  const BatchArguments& batch = asked.arguments.batch;
+  if (batch.cluster.slurm || batch.cluster.attach) {
+    return follow_trials(
+        "evaluation", asked.trials(), batch,
+        [&asked](const BatchRequest& collect) { return evaluate_kept(asked, collect); });
   }
-  if (arguments.json) print_out("{}\n", json_text(rows, 1));
+  if (!batch.out.empty()) return evaluate_kept(asked, batch.request);
+  const auto rows = evaluate_all(asked, nullptr);
+  if (asked.arguments.json) print_out("{}\n", json_text(rows, 1));
   return kDone;
 }
 
@@ -168,7 +223,7 @@ void add_evaluate_command(Command& app) {
       .one_of({std::begin(kSpliceKinds), std::end(kSpliceKinds)})
       .show_default();
   command.add_option("--seed", config.seed, "Seed of the stress").show_default();
-  command.add_option("-j,--jobs", config.workers, "Trials at a time").range(1, 1024).show_default();
+  add_batch_options(command, a->batch, "trials");
   command.add_flag("!--no-tracking", config.tracking,
                    "Skip tracking of the whole log from its true start");
   command.add_flag("--odd-scans", config.stress.odd_scans_only, "Only scans of odd index");
@@ -196,7 +251,8 @@ void add_evaluate_command(Command& app) {
       "Brier: mean square of the stated probability's error.\n"
       "Example:\n"
       "  castaway evaluate logs/intel logs/aces --starts 24 --kidnaps 24 --window 60 --localizer "
-      "mh_amcl --localizer amcl");
+      "mh_amcl --localizer amcl\n"
+      "  castaway evaluate logs/intel --out intel -j 4");
   command.action([a] { return evaluate_logs(*a); });
 }
 

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include "tools/base/output/default_folder.hpp"
 #include "tools/base/output/own_file.hpp"
 #include "tools/batch/seeds/run_seeds.hpp"
+#include "tools/commands/arguments/batch_arguments.hpp"
 #include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/arguments/ros2_arguments.hpp"
 #include "tools/commands/arguments/scenario_arguments.hpp"
@@ -29,8 +31,7 @@ struct RunArguments {
   ScenarioArguments scenario;
   std::vector<std::string> expects;  ///< --expect "metric condition"
   std::string seeds;
-  int workers = 1;
-  std::string out;
+  BatchArguments batch;
   std::string junit;
   std::string video;  ///< File; empty: none.
   bool json = false;
@@ -79,9 +80,10 @@ int judge_run(const RunArguments& arguments, const Scenario& scenario,
 /// The output folder. Throws before anything is built if it is not free.
 std::filesystem::path folder_of(const RunArguments& arguments, const LoadedScenario& loaded,
                                 const std::vector<std::filesystem::path>& inputs) {
-  OutputRequest request{arguments.out, "run", sha256(loaded.effective), inputs, arguments.force};
+  OutputRequest request{arguments.batch.out, "run", sha256(loaded.effective), inputs,
+                        arguments.force};
   request.label = arguments.scenario.label();
-  if (arguments.out.empty()) {
+  if (arguments.batch.out.empty()) {
     request.target = default_run_folder(loaded.scenario);
     request.target = announced_free_folder(request);
   }
@@ -115,7 +117,8 @@ int run_once(const RunArguments& arguments) {
   return void_sentence_of(options.out) ? kRunFailed : judged;
 }
 
-int run_many(const RunArguments& arguments) {
+int run_many(RunArguments arguments) {
+  arguments.batch.check();
   if (!arguments.video.empty()) {
     throw std::invalid_argument("--video films one run; leave --seeds away, or give one --seed");
   }
@@ -129,8 +132,10 @@ int run_many(const RunArguments& arguments) {
       load_scenario(request.scenario, request.overrides, file_programs(arguments.allow_programs))
           .scenario;
   request.seeds = parse_seeds(arguments.seeds, scenario.seed);
-  request.workers = arguments.workers;
-  request.out = arguments.out;
+  request.workers = arguments.batch.request.workers;
+  request.shard = arguments.batch.request.shard;
+  request.collect = arguments.batch.request.collect;
+  request.out = arguments.batch.out;
   request.label = arguments.scenario.label();
   request.expectations = expectations_of(arguments, scenario);
   request.junit = arguments.junit;
@@ -140,7 +145,9 @@ int run_many(const RunArguments& arguments) {
   request.programs = file_programs(arguments.allow_programs);
   request.report = write_report;
   request.index = render_runs_page;
-  return run_seeds(request);
+  const ClusterRequest& cluster = arguments.batch.cluster;
+  return cluster.slurm || cluster.attach ? run_seeds_on_slurm(request, cluster)
+                                         : run_seeds(std::move(request));
 }
 
 /// The error in the value of --duration; empty: none.
@@ -186,12 +193,14 @@ void add_run_command(Command& app) {
                      "So many seeds from the scenario's on, or A..B: a folder for each and "
                      "what they amount to");
   const Option jobs =
-      command.add_option("-j,--jobs", arguments->workers, "Runs at a time, with --seeds")
+      command
+          .add_option("-j,--jobs", arguments->batch.request.workers, "Runs at a time, with --seeds")
           .range(1, 1024)
           .show_default();
-  command.add_option("--out", arguments->out,
+  command.add_option("--out", arguments->batch.out,
                      "Run folder (default: runs/<scenario>/seed-<n>; with --seeds the folder "
                      "above it)");
+  add_sharing_options(command, arguments->batch, "runs");
   command.add_option("--junit", arguments->junit, "Write the expectations as JUnit XML");
   command.add_option("--video", arguments->video,
                      "Film of the run (.mp4, .webm), by ffmpeg; as outputs.video says");
@@ -218,6 +227,12 @@ void add_run_command(Command& app) {
     if (jobs.given()) {
       throw std::invalid_argument(
           "-j, --jobs: runs several seeds at a time; say which with --seeds, or leave it away");
+    }
+    if (arguments->batch.is_shared()) {
+      throw std::invalid_argument(
+          "--shard, --collect, --slurm and --attach share the runs of several seeds; say which "
+          "with "
+          "--seeds, or leave them away");
     }
     return run_once(*arguments);
   });

@@ -1,22 +1,20 @@
 // castaway twin: how well the twins of logs predict what localizers do on the logs.
 #include <algorithm>
-#include <filesystem>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/base/files/file.hpp"
 #include "tools/base/files/json_text.hpp"
-#include "tools/base/output/output_folder.hpp"
-#include "tools/base/output/progress_line.hpp"
 #include "tools/base/output/say.hpp"
+#include "tools/batch/jobs/kept_trials.hpp"
+#include "tools/commands/arguments/batch_arguments.hpp"
 #include "tools/commands/arguments/log_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/pages/twin/calibration_page.hpp"
 #include "tools/pages/twin/place_picture.hpp"
 #include "tools/pages/twin/prediction_page.hpp"
-#include "tools/play/progress.hpp"
 #include "tools/scenario/scenario_file.hpp"
 #include "tools/twin/prediction/predict_logs.hpp"
 #include "tools/twin/prediction/prediction_tables.hpp"
@@ -24,14 +22,15 @@
 namespace castaway::testbed {
 namespace {
 
+constexpr const char* kKind = "twins";  // Of the folder.
+
 /// Arguments of the command.
 struct TwinArguments {
   std::vector<std::string> folders;
   LocalizerArguments localizers;
-  std::string out = "twin";
   std::string align = "auto";
   PredictionConfig config;
-  bool force = false;
+  BatchArguments batch;
   bool json = false;
 };
 
@@ -48,58 +47,76 @@ std::vector<DifferingPlace> worst_places(const std::vector<LogPrediction>& logs)
   return places;
 }
 
-int compare_twins(TwinArguments a) {
-  const std::vector<LocalizerSpec> specs = a.localizers.specs({"mh_amcl"});
-  a.config.align = parse_align(a.align);
-  a.config.pages = {render_calibration, place_picture};
-  validate(a.config.evaluation);
-  OutputFolder out({.target = a.out,
-                    .made_by = "twin",
-                    .settings = "",
-                    .inputs = {a.folders.begin(), a.folders.end()},
-                    .force = a.force});
-  CampaignProgress progress(static_cast<int>(a.folders.size()), "logs");
-  const std::vector<LogPrediction> logs =
-      predict_logs(a.folders, specs, a.config, out.folder() / "twins",
-                   [&](const std::string& name) { progress.next(name); });
+/// Finds errors before anything is made.
+void check_logs(const TwinArguments& a) {
+  static_cast<void>(names_of_logs(a.folders));
+  for (const std::string& folder : a.folders) {
+    require_truth(folder, load_recorded_place(folder).frames);
+  }
+}
+
+int show(const TwinArguments& a, const std::vector<LogPrediction>& logs, const JobFolder& folder) {
   std::vector<PredictionRow> rows;
   for (const LogPrediction& log : logs) rows.insert(rows.end(), log.rows.begin(), log.rows.end());
   const std::vector<DifferingPlace> places = worst_places(logs);
   const std::string json = json_text(to_json(rows, places), 1) + "\n";
-  write_file(out.folder() / "twin.json", json);
-  write_file(out.folder() / "twin.html", render_prediction(rows, places));
-  out.commit();
+  folder.put("twin.json", json);
+  folder.put("twin.html", render_prediction(rows, places));
   if (a.json) {
     print_out("{}", json);
     return kDone;
   }
   print_out("{}\n{}\n{}\nPage: {}/twin.html\n", as_text(results_table(rows), columns_of(stdout)),
-            as_text(agreement_table(rows), columns_of(stdout)), agreement_sentence(rows), a.out);
+            as_text(agreement_table(rows), columns_of(stdout)), agreement_sentence(rows),
+            folder.path().string());
   return kDone;
+}
+
+int compare_kept(const TwinArguments& a, const std::vector<LocalizerSpec>& specs,
+                 BatchRequest request) {
+  KeptTrials kept(std::move(request), identity_of_command(kKind),
+                  static_cast<int>(a.folders.size()));
+  const std::vector<LogPrediction> logs =
+      predict_logs(a.folders, specs, a.config, kept.folder().path() / "twins", kept.runner());
+  return kept.has_all() ? show(a, logs, kept.folder()) : kept.report();
+}
+
+int compare_twins(TwinArguments a) {
+  a.batch.check();
+  const std::vector<LocalizerSpec> specs = a.localizers.specs({"mh_amcl"});
+  a.config.align = parse_align(a.align);
+  a.config.pages = {render_calibration, place_picture};
+  a.config.evaluation.run = run_at_once(a.folders.size() == 1 ? a.batch.request.workers : 1);
+  validate(a.config.evaluation);
+  check_logs(a);
+  if (a.batch.cluster.slurm || a.batch.cluster.attach) {
+    return follow_trials(
+        kKind, static_cast<int>(a.folders.size()), a.batch,
+        [&](const BatchRequest& collect) { return compare_kept(a, specs, collect); });
+  }
+  return compare_kept(a, specs, a.batch.request);
 }
 
 }  // namespace
 
 void add_twin_command(Command& app) {
   auto a = std::make_shared<TwinArguments>();
+  a->batch.out = "twin";
   EvaluationConfig& config = a->config.evaluation;
   Command command = app.add_command(
       "twin", "Compare what localizers do on recorded logs with what they do in the logs' twins");
   add_log_arguments(command, a->folders, a->localizers);
-  command.add_option("--out", a->out, "Folder of the results").show_default();
   add_trial_options(command, config);
   command.add_option("--replays", a->config.replays, "Replays of each log in its twin")
       .range(1, 1000)
       .show_default();
   add_align_option(command, a->align);
-  command.add_option("-j,--jobs", config.workers, "Logs at a time; of one log, trials")
-      .range(1, 1024)
-      .show_default();
-  command.add_flag("--force", a->force, "Write beside files that castaway did not write");
+  add_batch_options(command, a->batch, "logs");
   command.add_flag("--json", a->json, "Print JSON");
   command.footer(
       "Starts and kidnaps are those of castaway evaluate. The twin of each log is that of castaway "
-      "calibrate; it is replayed at the log's times and poses.\n"
+      "calibrate; it is replayed at the log's times and poses. Of one log, -j trials are made at a "
+      "time.\n"
       "Example:\n"
       "  castaway twin logs/intel logs/aces --localizer mh_amcl --localizer amcl --out twins -j 2");
   command.action([a] { return compare_twins(*a); });

@@ -56,12 +56,12 @@ class CampaignOfRows {
   void add_all() {
     for (int i = 0; i < spec_.cells(); ++i) add(row(i));
   }
-  void add(const CellRow& row) { RowsFile(folder_ / "rows.jsonl").add(row); }
+  void add(const CellRow& row) { RowsFile(folder_ / "rows.jsonl").add(row_text(row)); }
 
   [[nodiscard]] const CampaignSpec& spec() const { return spec_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-  [[nodiscard]] RowIndex& rows() {
-    if (!rows_) rows_ = std::make_unique<RowIndex>(folder_, spec_.cells());
+  [[nodiscard]] CellRows& rows() {
+    if (!rows_) rows_ = std::make_unique<CellRows>(folder_, spec_.cells());
     return *rows_;
   }
   /// With localizers "a" and "b".
@@ -82,7 +82,7 @@ class CampaignOfRows {
 
   std::filesystem::path folder_;
   CampaignSpec spec_;
-  std::unique_ptr<RowIndex> rows_;
+  std::unique_ptr<CellRows> rows_;
 };
 
 }  // namespace castaway::testbed

@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kPatience = 10.0;  // [s] With another process that opens a shared folder.
+
 void check_all(const OutputRequest& request, const std::vector<PlannedRun>& runs) {
   check_output(request);
   const std::optional<FileRecord> record = load_record(request.target);
@@ -47,11 +49,12 @@ std::vector<std::string> folders_of(const std::vector<PlannedRun>& runs) {
 
 std::string program_hash() { return sha256_of_file("/proc/self/exe"); }
 
-RunsFolder::RunsFolder(OutputRequest request, std::vector<PlannedRun> runs)
+RunsFolder::RunsFolder(OutputRequest request, std::vector<PlannedRun> runs, RunsShare share)
     : request_(std::move(request)), runs_(std::move(runs)) {
   check_all(request_, runs_);
   make_folder(request_.target);
-  lock_.emplace(request_.target);
+  const bool shared = share == RunsShare::kSome;
+  lock_.emplace(request_.target, shared ? kPatience : 0.0);
   earlier_ = settle(request_.target, load_record(request_.target).value_or(FileRecord{}));
   clear_leftovers(request_.target);
   std::error_code none;
@@ -61,9 +64,11 @@ RunsFolder::RunsFolder(OutputRequest request, std::vector<PlannedRun> runs)
   record_.settings = request_.settings;
   record_.program = program_hash();
   record_.finished = false;
-  goes_on_ = !earlier_.finished && earlier_.made_by == record_.made_by &&
-             earlier_.settings == record_.settings && earlier_.program == record_.program;
-  if (goes_on_) clear_drafts(request_.target, runs_);
+  const bool same_work =
+      earlier_.finished ? share == RunsShare::kCollect : earlier_.program == record_.program;
+  goes_on_ =
+      same_work && earlier_.made_by == record_.made_by && earlier_.settings == record_.settings;
+  if (goes_on_ && !shared) clear_drafts(request_.target, runs_);
   for (const std::string& folder : folders_of(runs_)) {
     const auto& known = record_.runs;
     if (std::find(known.begin(), known.end(), folder) == known.end()) {
@@ -71,6 +76,7 @@ RunsFolder::RunsFolder(OutputRequest request, std::vector<PlannedRun> runs)
     }
   }
   save_record(request_.target, record_);
+  if (shared) lock_.reset();
   kept_.emplace("finished runs are kept in " + request_.target.string() +
                 "; the same command resumes");
 }

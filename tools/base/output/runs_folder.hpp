@@ -1,6 +1,7 @@
 /// A folder of runs and their summary, which a later call can resume.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -18,11 +19,19 @@ struct PlannedRun {
   std::string settings;  ///< Hash of the run's inputs.
 };
 
+/// How a process works in a folder of runs.
+enum class RunsShare : std::uint8_t {
+  kAll,      ///< It makes all runs.
+  kSome,     ///< Others make runs of it at the same time. It has no common files.
+  kCollect,  ///< It makes none: others have.
+};
+
 /// Holds a folder for each run, each with its own list of files, and common files.
 class RunsFolder {
  public:
   /// Throws as `check_output` (also for the folders of the runs) and FolderLock do, and FileError.
-  RunsFolder(OutputRequest request, std::vector<PlannedRun> runs);
+  RunsFolder(OutputRequest request, std::vector<PlannedRun> runs,
+             RunsShare share = RunsShare::kAll);
   /// Removes the drafts.
   ~RunsFolder();
   RunsFolder(const RunsFolder&) = delete;
@@ -32,7 +41,7 @@ class RunsFolder {
   /// The planned runs.
   [[nodiscard]] const std::vector<PlannedRun>& runs() const { return runs_; }
   /// True if an earlier, stopped call with the same settings and the same program finished this
-  /// run.
+  /// run; for a collector also if they have been collected before.
   [[nodiscard]] bool has_run(std::size_t index) const;
   /// Writes a common file.
   void put(const std::string& name, std::string_view bytes);

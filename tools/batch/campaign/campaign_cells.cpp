@@ -1,27 +1,20 @@
 #include "tools/batch/campaign/campaign_cells.hpp"
 
-#include <unistd.h>
-
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "tools/base/files/file_error.hpp"
-#include "tools/base/output/interruption.hpp"
 #include "tools/base/output/listed_path.hpp"
 #include "tools/base/output/say.hpp"
-#include "tools/base/process/worker_pool.hpp"
 #include "tools/batch/campaign/campaign_cell.hpp"
 #include "tools/batch/campaign/cell_play.hpp"
-#include "tools/batch/campaign/rows/rows_file.hpp"
-#include "tools/play/progress.hpp"
+#include "tools/batch/campaign/cell_row.hpp"
+#include "tools/batch/jobs/make_rows.hpp"
 
 namespace castaway::testbed {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr char kNoSpace = '!';  // Begins an answer about a disk error, which ends the campaign.
 
 /// The row of a cell without an answer.
 CellRow lost_row(const CampaignSpec& spec, int index, const std::string& reason) {
@@ -34,17 +27,6 @@ CellRow lost_row(const CampaignSpec& spec, int index, const std::string& reason)
     cell.values = combination_values(spec, index / spec.samples());
     for (const DrawnKey& key : spec.drawn) cell.values.emplace_back(key.path, "");
     return failed_row(cell, reason);
-  }
-}
-
-std::string work_on_cell(const CampaignSpec& spec, const fs::path& folder, const fs::path& drafts,
-                         PartsOfCells& parts, int index) {
-  const CampaignCell cell = campaign_cell(spec, index);
-  const fs::path kept = folder / "cells" / fmt::format("{:06d}-{}", index, cell.name);
-  try {
-    return row_text(play_cell(spec, cell, drafts / std::to_string(getpid()), kept, parts));
-  } catch (const FileError& error) {
-    return kNoSpace + std::string(error.what());
   }
 }
 
@@ -76,42 +58,31 @@ class Tally {
 
 void make_cells(const CampaignRequest& request, const CampaignSpec& spec,
                 const std::vector<int>& cells) {
-  require_no_link(request.out, "cells");
-  const std::string name = rows_name(request.shard, request.shards);
-  const RowsFile rows(request.out / name);
-  const fs::path drafts = request.out / (".work-" + name);
-  fs::remove_all(drafts);
-  CampaignProgress progress(static_cast<int>(cells.size()), "cells");
+  const fs::path& folder = request.batch.out;
+  require_no_link(folder, "cells");
   Tally tally;
-  std::size_t made = 0;
-  const auto take = [&](const CellRow& row) {
-    rows.add(row);
-    ++made;
+  PartsOfCells parts{request.report};  // Each worker fills its own.
+  JobPass pass;
+  pass.folder = folder;
+  pass.unit = "cells";
+  pass.shard = request.batch.shard;
+  pass.workers = request.batch.workers;
+  pass.timeout_s = spec.timeout_s;
+  pass.make_row = [&](int index, const fs::path& draft) {
+    const CampaignCell cell = campaign_cell(spec, index);
+    const fs::path kept = folder / "cells" / fmt::format("{:06d}-{}", index, cell.name);
+    return row_text(play_cell(spec, cell, draft, kept, parts));
+  };
+  pass.make_failed_row = [&](int index, const std::string& reason) {
+    return row_text(lost_row(spec, index, reason));
+  };
+  pass.on_row = [&](const std::string& text) {
+    const CellRow row = parse_row(text);
     if (row.state == CellOutcome::kFailed) report_failure(request, row);
     tally.add(row);
-    progress.next(tally.text());
+    return tally.text();
   };
-  JobOutcomes outcomes;
-  outcomes.on_result = [&](int, const std::string& text) {
-    if (text.starts_with(kNoSpace)) throw FileError(text.substr(1));
-    take(parse_row(text));
-  };
-  outcomes.on_failure = [&](int index, const std::string& reason) {
-    take(lost_row(spec, index, reason));
-  };
-  PartsOfCells parts{request.report};  // Each worker fills its own.
-  const auto work = [&](int index) {
-    return work_on_cell(spec, request.out, drafts, parts, index);
-  };
-  try {
-    work_through(cells, request.workers, work, outcomes, spec.timeout_s);
-  } catch (Interrupted& interrupted) {
-    fs::remove_all(drafts);
-    interrupted.kept = fmt::format("{} of {} cells are kept in {}; the same command goes on", made,
-                                   cells.size(), request.out.string());
-    throw;
-  }
-  fs::remove_all(drafts);
+  make_rows(pass, cells);
 }
 
 }  // namespace castaway::testbed

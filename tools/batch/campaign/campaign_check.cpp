@@ -9,7 +9,6 @@
 
 #include "tools/base/bytes/sha256.hpp"
 #include "tools/base/files/file.hpp"
-#include "tools/base/output/runs_folder.hpp"
 #include "tools/batch/campaign/campaign_cell.hpp"
 #include "tools/batch/campaign/campaign_rank.hpp"
 #include "tools/play/play.hpp"
@@ -78,8 +77,8 @@ CheckedCampaign check_campaign(const CampaignRequest& request) {
   return checked;
 }
 
-CampaignIdentity identity_of(const CheckedCampaign& campaign) {
-  return {CASTAWAY_VERSION, program_hash(), campaign.data, campaign.spec.effective};
+JobIdentity identity_of(const CheckedCampaign& campaign) {
+  return identity_of_this_program("campaign", campaign.data, campaign.spec.effective);
 }
 
 }  // namespace castaway::testbed

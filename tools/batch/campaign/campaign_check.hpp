@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/batch/campaign/campaign_folder.hpp"
 #include "tools/batch/campaign/campaign_request.hpp"
+#include "tools/batch/jobs/job_folder.hpp"
 
 namespace castaway::testbed {
 
@@ -13,7 +13,7 @@ namespace castaway::testbed {
 struct CheckedCampaign {
   CampaignSpec spec;
   std::vector<std::string> localizers;  ///< Of all cells.
-  std::string data;                     ///< As in CampaignIdentity.
+  std::string data;                     ///< As in JobIdentity.
 };
 
 /// Reads the first cell of every combination, and checks the metrics that the campaign stops or is
@@ -22,6 +22,6 @@ struct CheckedCampaign {
 CheckedCampaign check_campaign(const CampaignRequest& request);
 
 /// What its folder is bound to.
-CampaignIdentity identity_of(const CheckedCampaign& campaign);
+JobIdentity identity_of(const CheckedCampaign& campaign);
 
 }  // namespace castaway::testbed

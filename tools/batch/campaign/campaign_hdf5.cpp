@@ -86,7 +86,7 @@ BufferedTable* add_wide(BufferedTables& tables, const std::string& path,
   return &tables.add({.path = path, .columns = static_cast<int>(names.size())});
 }
 
-void write_cells(const CampaignSpec& spec, RowIndex& rows, Hdf5File& file) {
+void write_cells(const CampaignSpec& spec, CellRows& rows, Hdf5File& file) {
   const std::vector<std::string> metrics = metric_names(rows);
   std::vector<std::string> drawn;
   for (const DrawnKey& key : spec.drawn) drawn.push_back(key.path);
@@ -100,7 +100,7 @@ void write_cells(const CampaignSpec& spec, RowIndex& rows, Hdf5File& file) {
       {.path = "/cells/state", .type = Hdf5Type::kUint8, .meaning = "0 done, 1 void, 2 failed"});
   BufferedTable* values = add_wide(tables, "/cells/drawn", drawn);
   BufferedTable* figures = add_wide(tables, "/cells/metrics", metrics);
-  for (const int index : rows.cells()) {
+  for (const int index : rows.jobs()) {
     const CellRow row = rows.row(index);
     cell.add(index);
     const int combination_of_cell = index / spec.samples();
@@ -119,7 +119,7 @@ void write_cells(const CampaignSpec& spec, RowIndex& rows, Hdf5File& file) {
   tables.finish();
 }
 
-void write_kidnaps_of(RowIndex& rows, Hdf5File& file) {
+void write_kidnaps_of(CellRows& rows, Hdf5File& file) {
   Numbering localizers;
   Numbering kinds;
   BufferedTables tables(file);
@@ -134,7 +134,7 @@ void write_kidnaps_of(RowIndex& rows, Hdf5File& file) {
   BufferedTable& scored = column("scored", Hdf5Type::kUint8, "");
   BufferedTable& recovered = column("recovered", Hdf5Type::kUint8, "");
   BufferedTable& time = column("time_s", Hdf5Type::kFloat64, "s");
-  for (const int index : rows.cells()) {
+  for (const int index : rows.jobs()) {
     for (const CellKidnap& kidnap : rows.row(index).kidnaps) {
       cell.add(index);
       localizer.add(localizers.number(kidnap.localizer));
@@ -159,7 +159,7 @@ void write_kidnaps_of(RowIndex& rows, Hdf5File& file) {
 
 }  // namespace
 
-void write_hdf5(const CampaignSpec& spec, RowIndex& rows, const std::filesystem::path& file) {
+void write_hdf5(const CampaignSpec& spec, CellRows& rows, const std::filesystem::path& file) {
   Hdf5File hdf5(file);
   hdf5.set_attribute("/", "castaway", CASTAWAY_VERSION);
   hdf5.set_attribute("/", "name", spec.name);

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "tools/batch/campaign/rows/rows_file.hpp"
+#include "tools/batch/campaign/cell_row.hpp"
 #include "tools/scenario/campaign_yaml.hpp"
 
 namespace castaway::testbed {
@@ -20,6 +20,6 @@ namespace castaway::testbed {
 ///     /kidnaps/localizers, kinds                texts: what localizer and kind count
 ///
 /// Throws FileError if the file cannot be written.
-void write_hdf5(const CampaignSpec& spec, RowIndex& rows, const std::filesystem::path& file);
+void write_hdf5(const CampaignSpec& spec, CellRows& rows, const std::filesystem::path& file);
 
 }  // namespace castaway::testbed

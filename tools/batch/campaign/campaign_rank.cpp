@@ -14,7 +14,7 @@ namespace castaway::testbed {
 namespace {
 
 /// The metric in a cell; nothing if the cell does not count.
-std::optional<double> value_in(RowIndex& rows, int cell, const std::string& metric) {
+std::optional<double> value_in(CellRows& rows, int cell, const std::string& metric) {
   if (!rows.has(cell)) return std::nullopt;
   const CellRow row = rows.row(cell);
   const auto found = row.metrics.find(metric);
@@ -27,7 +27,7 @@ using Groups = std::vector<std::vector<double>>;
 
 /// `cell_of(group, seed)`
 template <typename CellOf>
-Groups take_groups(RowIndex& rows, const std::string& metric, int groups, int seeds,
+Groups take_groups(CellRows& rows, const std::string& metric, int groups, int seeds,
                    const CellOf& cell_of) {
   Groups taken(static_cast<std::size_t>(groups));
   std::vector<double> values(taken.size());
@@ -45,7 +45,7 @@ Groups take_groups(RowIndex& rows, const std::string& metric, int groups, int se
   return taken;
 }
 
-MetricRank rank_drawn(const CampaignSpec& spec, RowIndex& rows, MetricRank rank) {
+MetricRank rank_drawn(const CampaignSpec& spec, CellRows& rows, MetricRank rank) {
   const int seeds = spec.design.seeds();
   Groups groups = take_groups(rows, rank.metric, spec.samples() / seeds, seeds,
                               [&](int group, int seed) { return group * seeds + seed; });
@@ -59,7 +59,7 @@ MetricRank rank_drawn(const CampaignSpec& spec, RowIndex& rows, MetricRank rank)
   return rank;
 }
 
-MetricRank rank_grid(const CampaignSpec& spec, RowIndex& rows, MetricRank rank) {
+MetricRank rank_grid(const CampaignSpec& spec, CellRows& rows, MetricRank rank) {
   const int samples = spec.samples();
   FactorialOutcomes outcomes;
   outcomes.values = take_groups(rows, rank.metric, spec.combinations(), samples,
@@ -90,9 +90,9 @@ std::string share_text(double value, const Interval& interval) {
 
 }  // namespace
 
-std::vector<std::string> ranked_metrics(RowIndex& rows) {
+std::vector<std::string> ranked_metrics(CellRows& rows) {
   std::set<std::string> names;
-  for (const int cell : rows.cells()) {
+  for (const int cell : rows.jobs()) {
     for (const auto& [name, value] : rows.row(cell).metrics) {
       const bool ranked =
           name.ends_with(".recovery.success") || name.ends_with(".position_error_m.rmse");
@@ -116,7 +116,7 @@ void require_rankable(const CampaignSpec& spec) {
   }
 }
 
-MetricRank rank_keys(const CampaignSpec& spec, RowIndex& rows, const std::string& metric) {
+MetricRank rank_keys(const CampaignSpec& spec, CellRows& rows, const std::string& metric) {
   require_rankable(spec);
   MetricRank rank;
   rank.metric = metric;

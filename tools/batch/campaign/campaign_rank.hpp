@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/batch/campaign/rows/rows_file.hpp"
+#include "tools/batch/campaign/cell_row.hpp"
 #include "tools/run/metrics/statistics/factor_effects.hpp"
 #include "tools/scenario/campaign_yaml.hpp"
 
@@ -21,7 +21,7 @@ struct MetricRank {
 
 /// The metrics that are ranked unless others are asked for: the success of recovery and the error
 /// of the position of every localizer in the rows.
-std::vector<std::string> ranked_metrics(RowIndex& rows);
+std::vector<std::string> ranked_metrics(CellRows& rows);
 
 /// Throws std::runtime_error if the campaign varies nothing that can be ranked, or both grid and
 /// draws.
@@ -30,7 +30,7 @@ void require_rankable(const CampaignSpec& spec);
 /// Ranks the keys of the grid by analysis of variance, or with the design `kSaltelli` those that
 /// are drawn by Sobol indices. Seeds that are void, failed or without the metric in any combination
 /// are left out. Throws as `require_rankable`.
-MetricRank rank_keys(const CampaignSpec& spec, RowIndex& rows, const std::string& metric);
+MetricRank rank_keys(const CampaignSpec& spec, CellRows& rows, const std::string& metric);
 
 /// For a terminal, largest total effect first.
 std::string rank_text(const MetricRank& rank);

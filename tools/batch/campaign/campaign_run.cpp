@@ -1,6 +1,7 @@
 #include "tools/batch/campaign/campaign_run.hpp"
 
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -17,12 +18,13 @@
 #include "tools/batch/campaign/campaign_cell.hpp"
 #include "tools/batch/campaign/campaign_cells.hpp"
 #include "tools/batch/campaign/campaign_check.hpp"
-#include "tools/batch/campaign/campaign_folder.hpp"
 #include "tools/batch/campaign/campaign_hdf5.hpp"
 #include "tools/batch/campaign/campaign_rank.hpp"
 #include "tools/batch/campaign/campaign_tables.hpp"
 #include "tools/batch/campaign/campaign_verdict.hpp"
 #include "tools/batch/campaign/stopping_rule.hpp"
+#include "tools/batch/cluster/slurm_batch.hpp"
+#include "tools/batch/jobs/job_folder.hpp"
 #include "tools/play/play.hpp"
 #include "tools/play/verdict_output.hpp"
 
@@ -32,15 +34,21 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+/// What is shared among processes: cells, or with `until` combinations, since the process that
+/// makes one decides how many cells it needs.
+int shared_index(const CampaignSpec& spec, int cell) {
+  return spec.until ? cell / spec.samples() : cell;
+}
+
 /// True if this process makes a cell.
 bool is_own(const CampaignRequest& request, const CampaignSpec& spec, int cell) {
-  return shard_of(spec, cell, request.shards) == request.shard;
+  return request.batch.shard.makes(shared_index(spec, cell));
 }
 
 /// Cells of this process that are needed and not there. `retry`: also those that failed.
 std::vector<int> cells_to_make(const CampaignRequest& request, const CampaignSpec& spec,
                                bool retry) {
-  RowIndex rows(request.out, spec.cells());
+  CellRows rows(request.batch.out, spec.cells());
   std::vector<int> cells;
   for (int c = 0; c < spec.combinations(); ++c) {
     const int begin = c * spec.samples();
@@ -57,7 +65,7 @@ std::vector<int> cells_to_make(const CampaignRequest& request, const CampaignSpe
 /// Makes all cells of this process, as many rounds as `until` asks for; their number.
 std::size_t make_all_cells(const CampaignRequest& request, const CampaignSpec& spec) {
   std::size_t made = 0;
-  std::vector<int> cells = cells_to_make(request, spec, request.retry_failed);
+  std::vector<int> cells = cells_to_make(request, spec, request.batch.retry_failed);
   while (!cells.empty()) {
     make_cells(request, spec, cells);
     made += cells.size();
@@ -67,8 +75,8 @@ std::size_t make_all_cells(const CampaignRequest& request, const CampaignSpec& s
 }
 
 bool has_failed_own(const CampaignRequest& request, const CampaignSpec& spec) {
-  const RowIndex rows(request.out, spec.cells());
-  for (const int cell : rows.cells()) {
+  const CellRows rows(request.batch.out, spec.cells());
+  for (const int cell : rows.jobs()) {
     if (is_own(request, spec, cell) && rows.has_failed(cell)) return true;
   }
   return false;
@@ -83,7 +91,7 @@ int failed_cells(const Json& summary) {
 }
 
 std::vector<MetricRank> rank_campaign(const CampaignRequest& request, const CampaignSpec& spec,
-                                      RowIndex& rows) {
+                                      CellRows& rows) {
   std::vector<MetricRank> ranks;
   if (!request.rank) return ranks;
   for (const std::string& metric :
@@ -102,21 +110,18 @@ std::vector<MetricRank> rank_campaign(const CampaignRequest& request, const Camp
 }
 
 void put_pages(const CampaignRequest& request, const CheckedCampaign& campaign,
-               const std::vector<Check>& checks, RowIndex& rows, CampaignFolder& folder) {
+               const std::vector<Check>& checks, CellRows& rows, const JobFolder& folder) {
   if (request.pages == nullptr) return;
   const FinishedCampaign finished{campaign.spec, request.overrides, campaign.localizers,
                                   checks,        folder.path(),     rows};
-  for (const auto& [name, text] : request.pages(finished)) {
-    const std::string& contents = text;
-    folder.put(name, [&](const fs::path& file) { write_file(file, contents); });
-  }
+  for (const auto& [name, text] : request.pages(finished)) folder.put(name, text);
 }
 
 int finish_campaign(const CampaignRequest& request, const CheckedCampaign& campaign,
-                    CampaignFolder& folder) {
+                    const JobFolder& folder) {
   constexpr std::size_t kMostNamed = 20;
   const CampaignSpec& spec = campaign.spec;
-  RowIndex rows(folder.path(), spec.cells());
+  CellRows rows(folder.path(), spec.cells());
   const std::vector<int> missing = missing_cells(spec, rows, kMostNamed + 1);
   if (!missing.empty()) {
     const bool more = missing.size() > kMostNamed;
@@ -134,7 +139,7 @@ int finish_campaign(const CampaignRequest& request, const CheckedCampaign& campa
   put("costs.csv", [&](const fs::path& file) { write_costs(rows, file); });
   const Json summary = campaign_summary(spec, rows);
   const std::string text = json_text(summary, 1) + "\n";
-  put("summary.json", [&](const fs::path& file) { write_file(file, text); });
+  outputs.make([&] { folder.put("summary.json", text); });
   const std::vector<MetricRank> ranks = rank_campaign(request, spec, rows);
   if (request.rank) {
     put("ranks.csv", [&](const fs::path& file) { write_ranks(ranks, file); });
@@ -152,32 +157,51 @@ int finish_campaign(const CampaignRequest& request, const CheckedCampaign& campa
 }
 
 std::string kept_cells(const CampaignRequest& request) {
-  return "finished cells are kept in " + request.out.string() + "; the same command goes on";
+  return "finished cells are kept in " + request.batch.out.string() + "; the same command goes on";
 }
 
 }  // namespace
 
 int make_campaign(const CampaignRequest& request) {
   std::optional<KeptWork> kept;
-  if (fs::exists(request.out / "rows.jsonl")) kept.emplace(kept_cells(request));
+  if (fs::exists(request.batch.out / "rows.jsonl")) kept.emplace(kept_cells(request));
   const CheckedCampaign campaign = check_campaign(request);
-  CampaignFolder folder(request.out, identity_of(campaign));
+  const JobFolder folder(request.batch.out, identity_of(campaign));
   if (!kept) kept.emplace(kept_cells(request));
   const std::size_t made = make_all_cells(request, campaign.spec);
-  if (request.shards == 1) return finish_campaign(request, campaign, folder);
+  const Shard& shard = request.batch.shard;
+  if (shard.is_all()) return finish_campaign(request, campaign, folder);
   print_out(
       "Shard {} of {}: {} cells made; castaway campaign {} --collect --out {} makes the "
       "tables when all are done\n",
-      request.shard, request.shards, made, request.spec.string(), request.out.string());
+      shard.index, shard.count, made, request.spec.string(), folder.path().string());
   return has_failed_own(request, campaign.spec) ? kRunFailed : kDone;
 }
 
 int collect_campaign(const CampaignRequest& request) {
   const KeptWork kept(kept_cells(request));
   const CheckedCampaign campaign = check_campaign(request);
-  static_cast<void>(CampaignFolder(request.out));
-  CampaignFolder folder(request.out, identity_of(campaign));
-  return finish_campaign(request, campaign, folder);
+  require_job_folder(request.batch.out, "campaign");
+  return finish_campaign(request, campaign, {request.batch.out, identity_of(campaign)});
+}
+
+int make_campaign_on_slurm(const CampaignRequest& request, const ClusterRequest& cluster) {
+  const CheckedCampaign campaign = check_campaign(request);
+  if (cluster.attach) require_job_folder(request.batch.out, "campaign");
+  const JobFolder folder(request.batch.out, identity_of(campaign));
+  const CampaignSpec& spec = campaign.spec;
+  const auto unfinished = [&](int shards) {
+    CellRows rows(folder.path(), spec.cells());
+    std::set<int> found;
+    for (const int cell : missing_cells(spec, rows, static_cast<std::size_t>(spec.cells()))) {
+      found.insert(shared_index(spec, cell) % shards + 1);
+    }
+    return std::vector<int>(found.begin(), found.end());
+  };
+  const auto done = [&] { return RowIndex(folder.path(), spec.cells()).jobs().size(); };
+  return follow_on_cluster({folder.path(), spec.name, "cells", spec.cells(), done, unfinished,
+                            [&] { return collect_campaign(request); }},
+                           cluster);
 }
 
 int make_cell(const CampaignRequest& request, int index) {
@@ -192,7 +216,7 @@ int make_cell(const CampaignRequest& request, int index) {
   const CampaignCell cell = campaign_cell(spec, index);
   PlayOptions options;
   options.base = spec.base;
-  options.out = request.out;
+  options.out = request.batch.out;
   options.inputs = {request.spec};
   options.json = request.json;
   options.report = request.report;

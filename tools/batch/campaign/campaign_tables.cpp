@@ -142,21 +142,21 @@ std::string recoveries_text(const std::string& name, const Json& recovery) {
 
 }  // namespace
 
-std::vector<std::string> metric_names(RowIndex& rows) {
+std::vector<std::string> metric_names(CellRows& rows) {
   std::set<std::string> names;
-  for (const int i : rows.cells()) {
+  for (const int i : rows.jobs()) {
     for (const auto& [name, value] : rows.row(i).metrics) names.insert(name);
   }
   return {names.begin(), names.end()};
 }
 
-void write_results(const CampaignSpec& spec, RowIndex& rows, const std::filesystem::path& file) {
+void write_results(const CampaignSpec& spec, CellRows& rows, const std::filesystem::path& file) {
   const std::vector<std::string> metrics = metric_names(rows);
   std::vector<std::string> header = identity_header(spec);
   append_names({"state", "reason"}, header);
   append_names(metrics, header);
   CsvWriter csv(file, header);
-  for (const int i : rows.cells()) {
+  for (const int i : rows.jobs()) {
     const CellRow row = rows.row(i);
     write_identity(row, csv);
     csv.text(to_string(row.state)).text(row.reason);
@@ -169,13 +169,13 @@ void write_results(const CampaignSpec& spec, RowIndex& rows, const std::filesyst
   csv.commit();
 }
 
-void write_kidnaps(const CampaignSpec& spec, RowIndex& rows, const std::filesystem::path& file) {
+void write_kidnaps(const CampaignSpec& spec, CellRows& rows, const std::filesystem::path& file) {
   std::vector<std::string> header = identity_header(spec);
   append_names({"localizer", "kind", "at_s", "to_x_m", "to_y_m", "to_yaw_rad", "scored",
                 "recovered", "time_s"},
                header);
   CsvWriter csv(file, header);
-  for (const int i : rows.cells()) {
+  for (const int i : rows.jobs()) {
     const CellRow row = rows.row(i);
     for (const CellKidnap& kidnap : row.kidnaps) {
       write_identity(row, csv);
@@ -187,16 +187,16 @@ void write_kidnaps(const CampaignSpec& spec, RowIndex& rows, const std::filesyst
   csv.commit();
 }
 
-void write_costs(RowIndex& rows, const std::filesystem::path& file) {
+void write_costs(CellRows& rows, const std::filesystem::path& file) {
   CsvWriter csv(file, {"cell", "cpu_s", "wall_s", "memory_mb"});
-  for (const int i : rows.cells()) {
+  for (const int i : rows.jobs()) {
     const CellRow row = rows.row(i);
     csv.count(row.index).number(row.cpu_s).number(row.wall_s).number(row.memory_mb, 1).end_row();
   }
   csv.commit();
 }
 
-Json campaign_summary(const CampaignSpec& spec, RowIndex& rows) {
+Json campaign_summary(const CampaignSpec& spec, CellRows& rows) {
   Json combinations = Json::array();
   for (int k = 0; k < spec.combinations(); ++k) {
     Combination combination;
@@ -209,7 +209,7 @@ Json campaign_summary(const CampaignSpec& spec, RowIndex& rows) {
   return {{"castaway", CASTAWAY_VERSION},
           {"kind", "campaign"},
           {"name", spec.name},
-          {"cells", rows.cells().size()},
+          {"cells", rows.jobs().size()},
           {"seeds", spec.design.seeds()},
           {"combinations", combinations}};
 }

@@ -9,9 +9,9 @@ namespace castaway::testbed {
 namespace {
 
 /// The cells as runs to be checked.
-std::vector<JudgedRun> judged_cells(RowIndex& rows, const Expectation& expectation) {
+std::vector<JudgedRun> judged_cells(CellRows& rows, const Expectation& expectation) {
   std::vector<JudgedRun> runs;
-  for (const int i : rows.cells()) {
+  for (const int i : rows.jobs()) {
     const CellRow row = rows.row(i);
     const auto found = row.metrics.find(expectation.metric);
     if (row.state != CellOutcome::kDone || found == row.metrics.end()) continue;
@@ -26,7 +26,7 @@ std::vector<JudgedRun> judged_cells(RowIndex& rows, const Expectation& expectati
 
 }  // namespace
 
-std::vector<Check> judge_cells(const CheckedCampaign& campaign, RowIndex& rows) {
+std::vector<Check> judge_cells(const CheckedCampaign& campaign, CellRows& rows) {
   std::vector<Check> checks;
   for (const Expectation& each : expectations_of(campaign.spec, campaign.localizers)) {
     const std::vector<JudgedRun> cells = judged_cells(rows, each);

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "tools/batch/campaign/campaign_cell.hpp"
-#include "tools/batch/campaign/rows/cell_row.hpp"
+#include "tools/batch/campaign/cell_row.hpp"
 #include "tools/build/shared_models.hpp"
 #include "tools/build/shared_worlds.hpp"
 #include "tools/play/report_writer.hpp"

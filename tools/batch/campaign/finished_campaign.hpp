@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/batch/campaign/rows/rows_file.hpp"
+#include "tools/batch/campaign/cell_row.hpp"
 #include "tools/run/metrics/verdict.hpp"
 #include "tools/scenario/campaign_yaml.hpp"
 
@@ -19,7 +19,7 @@ struct FinishedCampaign {
   const std::vector<std::string>& localizers;  ///< Of all cells.
   const std::vector<Check>& checks;            ///< Of the expectations.
   std::filesystem::path folder;
-  RowIndex& rows;
+  CellRows& rows;
 };
 
 /// Files beside the tables: names and contents.

@@ -7,7 +7,7 @@
 namespace castaway::testbed {
 namespace {
 
-bool has_all(const CampaignSpec& spec, const RowIndex& rows, int combination, int count) {
+bool has_all(const CampaignSpec& spec, const CellRows& rows, int combination, int count) {
   for (int k = 0; k < count; ++k) {
     if (!rows.has(combination * spec.samples() + k)) return false;
   }
@@ -15,7 +15,7 @@ bool has_all(const CampaignSpec& spec, const RowIndex& rows, int combination, in
 }
 
 /// Adds the values of a metric in the cells of [from, to) that count.
-void add_values(const CampaignSpec& spec, RowIndex& rows, int combination, int from, int to,
+void add_values(const CampaignSpec& spec, CellRows& rows, int combination, int from, int to,
                 std::vector<double>& values) {
   for (int k = from; k < to; ++k) {
     const CellRow row = rows.row(combination * spec.samples() + k);
@@ -32,7 +32,7 @@ bool is_narrow(const UntilSpec& until, const std::vector<double>& values, int lo
 
 }  // namespace
 
-int cells_needed(const CampaignSpec& spec, RowIndex& rows, int combination) {
+int cells_needed(const CampaignSpec& spec, CellRows& rows, int combination) {
   const int most = spec.samples();
   if (!spec.until) return most;
   const std::vector<int> sizes = look_sizes(spec.until->first, most);
@@ -47,7 +47,7 @@ int cells_needed(const CampaignSpec& spec, RowIndex& rows, int combination) {
   return most;
 }
 
-std::vector<int> missing_cells(const CampaignSpec& spec, RowIndex& rows, std::size_t most) {
+std::vector<int> missing_cells(const CampaignSpec& spec, CellRows& rows, std::size_t most) {
   std::vector<int> missing;
   for (int c = 0; c < spec.combinations(); ++c) {
     const int needed = cells_needed(spec, rows, c);

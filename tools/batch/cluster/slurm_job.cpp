@@ -11,9 +11,9 @@
 namespace castaway::testbed {
 namespace {
 
-std::string header(const CampaignCommand& command, const SlurmOptions& options,
+std::string header(const SharedCommand& command, const SlurmOptions& options,
                    const std::string& what) {
-  const std::filesystem::path log = command.out / "slurm" / (what + "-%j.log");
+  const std::filesystem::path log = command.logs / (what + "-%j.log");
   std::string text = "#!/bin/sh\n";
   const auto add = [&text](const std::string& option) { text += "#SBATCH " + option + "\n"; };
   add("--job-name=" + shell_word(command.name));
@@ -24,10 +24,10 @@ std::string header(const CampaignCommand& command, const SlurmOptions& options,
   return text;
 }
 
-std::string campaign_line(const CampaignCommand& command) {
-  std::string line = fmt::format("exec {} campaign {} --out {}", shell_word(command.program),
-                                 shell_word(command.spec), shell_word(command.out));
-  for (const std::string& option : command.options) line += " " + shell_word(option);
+std::string command_line(const SharedCommand& command) {
+  std::string line =
+      fmt::format("cd {} && exec {}", shell_word(command.directory), shell_word(command.program));
+  for (const std::string& word : command.words) line += " " + shell_word(word);
   return line;
 }
 
@@ -41,16 +41,16 @@ std::string job_number(const std::string& printed) {
 
 }  // namespace
 
-std::string array_script(const CampaignCommand& command, const SlurmOptions& options) {
+std::string array_script(const SharedCommand& command, const SlurmOptions& options) {
   return header(command, options, "task") +
          fmt::format(
              "#SBATCH --cpus-per-task={}\n#SBATCH --requeue\n{} -j {} "
              "--shard \"$SLURM_ARRAY_TASK_ID/{}\"\n",
-             options.cores, campaign_line(command), options.cores, options.tasks);
+             options.cores, command_line(command), options.cores, options.tasks);
 }
 
-std::string collect_script(const CampaignCommand& command, const SlurmOptions& options) {
-  return header(command, options, "collect") + "#SBATCH --requeue\n" + campaign_line(command) +
+std::string collect_script(const SharedCommand& command, const SlurmOptions& options) {
+  return header(command, options, "collect") + "#SBATCH --requeue\n" + command_line(command) +
          " --collect\n";
 }
 

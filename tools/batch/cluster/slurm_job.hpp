@@ -1,4 +1,4 @@
-/// The jobs of a campaign in Slurm.
+/// The jobs of a batch in Slurm.
 #pragma once
 
 #include <filesystem>
@@ -7,28 +7,28 @@
 
 namespace castaway::testbed {
 
-/// How a campaign is spread over a Slurm cluster.
+/// How a batch is spread over a Slurm cluster.
 struct SlurmOptions {
   std::string partition{};  ///< Empty: Slurm's default.
   std::string time{};       ///< Limit of a task, as sbatch takes it; empty: Slurm's default.
-  int tasks = 16;           ///< Of the array: shards of the campaign.
+  int tasks = 16;           ///< Of the array: shards of the batch.
   int cores = 1;            ///< Of a task: its workers.
   std::vector<std::string> extra{};  ///< Further options of sbatch.
 };
 
-/// The command of a campaign, which every task runs.
-struct CampaignCommand {
-  std::filesystem::path program;     ///< castaway
-  std::filesystem::path spec;        ///< Absolute.
-  std::filesystem::path out;         ///< Absolute.
-  std::vector<std::string> options;  ///< --set, --allow-programs
-  std::string name;                  ///< Of the campaign.
+/// The command that every task runs.
+struct SharedCommand {
+  std::filesystem::path program;    ///< castaway
+  std::filesystem::path directory;  ///< In which it runs. Absolute.
+  std::filesystem::path logs;       ///< Folder of what the tasks print. Absolute.
+  std::vector<std::string> words;   ///< `shared_words`
+  std::string name;                 ///< Of the job.
 };
 
 /// Script of the array: task I makes shard I.
-std::string array_script(const CampaignCommand& command, const SlurmOptions& options);
+std::string array_script(const SharedCommand& command, const SlurmOptions& options);
 /// Script of the job behind it, which makes the tables.
-std::string collect_script(const CampaignCommand& command, const SlurmOptions& options);
+std::string collect_script(const SharedCommand& command, const SlurmOptions& options);
 
 /// Submits a script; `more`: options in front of it. Returns the number of the job. Throws
 /// std::runtime_error with what sbatch says.

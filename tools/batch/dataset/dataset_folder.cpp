@@ -60,20 +60,22 @@ std::string first_difference(const std::string& there, const std::string& here) 
 }
 
 constexpr const char* kMadeBy = "dataset";
-constexpr double kLockTimeout = 10.0;  // [s]
+constexpr const char* kWork = ".work";  // Folder of drafts; that of a shard begins so.
+constexpr double kLockTimeout = 10.0;   // [s]
 
 /// A folder without a data set may hold only what an unfinished attempt of castaway left there.
 void check_unused(const fs::path& folder) {
   const std::optional<FileRecord> record = load_record(folder);
   std::set<std::string> own;
   if (record && record->made_by == kMadeBy) {
-    own.insert({".work", "sequences"});
+    own.insert("sequences");
     if (is_replaceable(folder, "dataset.yaml", record)) own.insert("dataset.yaml");
   }
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder, none)) {
     const std::string name = entry.path().filename().string();
-    if (own.contains(name) || is_bookkeeping(name)) continue;
+    const bool draft = record && record->made_by == kMadeBy && name.starts_with(kWork);
+    if (own.contains(name) || draft || is_bookkeeping(name)) continue;
     refuse(folder, fmt::format("holds '{}' and no data set", name));
   }
 }
@@ -143,19 +145,32 @@ void check_identity(const fs::path& folder, const DatasetIdentity& identity) {
   }
 }
 
-DatasetFolder::DatasetFolder(fs::path folder, const DatasetIdentity& identity)
-    : folder_(std::move(folder)) {
+DatasetFolder::DatasetFolder(fs::path folder, const DatasetIdentity& identity, Shard shard)
+    : folder_(std::move(folder)), shard_(shard) {
   if (!folder_.has_filename()) folder_ = folder_.parent_path();
   require_own_places(folder_);
   check_identity(folder_, identity);
   make_folder(folder_);
   lock_.emplace(folder_, kLockTimeout);
+  if (shard_.is_all()) clear_work_of_shards();
+  begin(identity);
+  if (shard_.is_all()) return;
+  fs::create_directories(work());
+  lock_.emplace(work());  // Other shards go on.
+}
+
+void DatasetFolder::begin(const DatasetIdentity& identity) const {
   const bool begun = fs::exists(folder_ / "dataset.json");
   if (!begun) {
     save_record(folder_, {kMadeBy, {}, false, {}, {{"dataset.yaml", sha256(identity.spec)}}});
   }
   clear_leftovers(folder_);
-  clear_work();
+  if (shard_.is_all() || !fs::exists(work())) {
+    clear_work();
+  } else {
+    const FolderLock own(work());
+    clear_work();
+  }
   fs::create_directories(folder_ / "sequences");
   const std::string text = identity_text(identity);
   if (!begun || read_file(folder_ / "dataset.json") != text) {
@@ -165,6 +180,19 @@ DatasetFolder::DatasetFolder(fs::path folder, const DatasetIdentity& identity)
   }
   std::error_code none;  // From here on, dataset.json says whose folder it is.
   fs::remove(folder_ / kRecordName, none);
+}
+
+fs::path DatasetFolder::work() const {
+  return folder_ /
+         (shard_.is_all() ? kWork : fmt::format("{}-{}-of-{}", kWork, shard_.index, shard_.count));
+}
+
+void DatasetFolder::clear_work_of_shards() const {
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    if (!entry.path().filename().string().starts_with(std::string(kWork) + "-")) continue;
+    const FolderLock none_works_there(entry.path());
+    fs::remove_all(entry.path());
+  }
 }
 
 bool DatasetFolder::is_finished() const { return fs::exists(folder_ / "manifest.json"); }
@@ -177,7 +205,7 @@ fs::path DatasetFolder::sequence(const std::string& name) const {
   return folder_ / "sequences" / name;
 }
 
-fs::path DatasetFolder::draft(const std::string& name) const { return folder_ / ".work" / name; }
+fs::path DatasetFolder::draft(const std::string& name) const { return work() / name; }
 
 void DatasetFolder::commit_sequence(const std::string& name) const {
   move_durable(draft(name), sequence(name));
@@ -185,7 +213,7 @@ void DatasetFolder::commit_sequence(const std::string& name) const {
 
 void DatasetFolder::put(const std::string& path, std::string_view bytes) const {
   require_no_link(folder_, path);
-  write_durable(folder_ / ".work/file", folder_ / path, bytes);
+  write_durable(work() / "file", folder_ / path, bytes);
 }
 
 void DatasetFolder::put_new(const std::string& path, std::string_view bytes) const {
@@ -199,10 +227,9 @@ void DatasetFolder::put_new(const std::string& path, std::string_view bytes) con
 
 void DatasetFolder::clear_work() const {
   std::error_code error;
-  fs::remove_all(folder_ / ".work", error);
+  fs::remove_all(work(), error);
   if (error) {
-    throw FileError(
-        fmt::format("{}: cannot be removed ({})", (folder_ / ".work").string(), error.message()));
+    throw FileError(fmt::format("{}: cannot be removed ({})", work().string(), error.message()));
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "tools/base/output/folder_lock.hpp"
 #include "tools/base/output/interruption.hpp"
+#include "tools/batch/jobs/shard.hpp"
 
 namespace castaway::testbed {
 
@@ -29,16 +30,16 @@ void check_identity(const std::filesystem::path& folder, const DatasetIdentity& 
 ///
 ///     dataset.json, dataset.yaml    the identity
 ///     sequences/000042/             a finished sequence
-///     .work/                        drafts; cleared at the start
+///     .work/, .work-2-of-8/         drafts, of a shard; cleared at the start
 ///     manifest.json                 written last: the data set is finished
 ///
 /// Files and sequences are made in .work, flushed to disk and renamed into place.
 class DatasetFolder {
  public:
-  /// Creates the folder or resumes in it. Only one process works in a folder at a time: a second
-  /// one waits up to ten seconds for the first to end. Throws as `check_identity` does, and
-  /// FileError where nothing can be written.
-  DatasetFolder(std::filesystem::path folder, const DatasetIdentity& identity);
+  /// Creates the folder or resumes in it. Only one process works in a folder, or for each shard of
+  /// its sequences, at a time: a second one waits up to ten seconds for the first to end. Throws as
+  /// `check_identity` does, and FileError where nothing can be written.
+  DatasetFolder(std::filesystem::path folder, const DatasetIdentity& identity, Shard shard = {});
   [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
   /// True if the manifest is written and nothing is left to do.
   [[nodiscard]] bool is_finished() const;
@@ -52,12 +53,17 @@ class DatasetFolder {
   void put(const std::string& path, std::string_view bytes) const;
   /// As `put`. Throws std::runtime_error if a file with other content is there.
   void put_new(const std::string& path, std::string_view bytes) const;
-  /// Removes .work. Nothing may be written afterwards.
+  /// Removes its drafts. Nothing may be written afterwards.
   void clear_work() const;
 
  private:
+  [[nodiscard]] std::filesystem::path work() const;
+  void clear_work_of_shards() const;
+  void begin(const DatasetIdentity& identity) const;
+
   Interruptible interruptible_;
   std::filesystem::path folder_;
+  Shard shard_;
   std::optional<FolderLock> lock_;
 };
 

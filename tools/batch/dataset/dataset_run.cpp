@@ -49,6 +49,13 @@ std::vector<int> missing_sequences(const DatasetFolder& folder, int count) {
   return missing;
 }
 
+/// Those of the missing ones that this process makes.
+std::vector<int> sequences_to_make(const DatasetFolder& folder, const DatasetRequest& request) {
+  std::vector<int> own = missing_sequences(folder, request.sequences);
+  std::erase_if(own, [&](int i) { return request.collect || !request.shard.makes(i); });
+  return own;
+}
+
 /// Makes one sequence, in a worker. Returns nothing, or why it failed.
 std::string make_one(const DatasetSpec& spec, const DatasetWorlds& worlds,
                      const DatasetFolder& folder, PartsOfSequences& parts, int index) {
@@ -107,10 +114,21 @@ Pass make_sequences(const DatasetSpec& spec, const DatasetWorlds& worlds,
 int incomplete(const DatasetFolder& folder, const DatasetRequest& request, const Pass& pass) {
   folder.clear_work();
   const std::size_t missing = missing_sequences(folder, request.sequences).size();
-  say(fmt::format("{}: {} of {} sequences are finished; the same command resumes with the rest",
+  say(fmt::format("{}: {} of {} sequences are finished; {}",
                   pass.disk_error.empty() ? folder.path().string() : pass.disk_error,
-                  static_cast<std::size_t>(request.sequences) - missing, request.sequences));
+                  static_cast<std::size_t>(request.sequences) - missing, request.sequences,
+                  request.collect ? "run the shards of the rest again"
+                                  : "the same command resumes with the rest"));
   return kRunFailed;
+}
+
+int end_shard(const DatasetFolder& folder, const DatasetRequest& request, const Pass& pass) {
+  folder.clear_work();
+  print_out(
+      "Shard {} of {}: {} sequences made; the same command with --collect in place of --shard "
+      "finishes the data set when all are done\n",
+      request.shard.index, request.shard.count, pass.made);
+  return kDone;
 }
 
 /// CPU time and peak memory of all workers that have ended.
@@ -145,7 +163,7 @@ std::vector<std::string> sequence_names(int count) {
 
 int make_in(const DatasetFolder& folder, const DatasetSpec& spec, DatasetWorlds& worlds,
             const DatasetRequest& request) {
-  const std::vector<int> missing = missing_sequences(folder, request.sequences);
+  const std::vector<int> missing = sequences_to_make(folder, request);
   for (const int index : missing)
     worlds.request_scores(sample_sequence(spec, index).loaded.scenario);
   worlds.compute_scores(request.workers);
@@ -153,6 +171,10 @@ int make_in(const DatasetFolder& folder, const DatasetSpec& spec, DatasetWorlds&
   const double cpu_before = workers_cost().cpu_s;
   const Pass pass = make_sequences(spec, worlds, folder, request, missing);
   if (pass.failed > 0) return incomplete(folder, request, pass);
+  if (!request.shard.is_all()) return end_shard(folder, request, pass);
+  if (!missing_sequences(folder, request.sequences).empty()) {
+    return incomplete(folder, request, pass);
+  }
   DatasetInvocation invocation = workers_cost();
   invocation.cpu_s -= cpu_before;
   invocation.made = pass.made;
@@ -166,12 +188,23 @@ int make_in(const DatasetFolder& folder, const DatasetSpec& spec, DatasetWorlds&
   return kDone;
 }
 
+DatasetIdentity identity_of(const DatasetSpec& spec, const DatasetRequest& request) {
+  return {CASTAWAY_VERSION, spec.seed, request.sequences, spec.effective};
+}
+
+void require_begun(const std::filesystem::path& folder) {
+  if (std::filesystem::exists(folder / "dataset.json")) return;
+  throw std::runtime_error(folder.string() +
+                           ": is no folder of a data set: it has no dataset.json");
+}
+
 }  // namespace
 
 int make_dataset(const DatasetRequest& request) {
   const DatasetSpec spec = load_dataset_spec(request.spec, request.overrides);
-  const DatasetIdentity identity{CASTAWAY_VERSION, spec.seed, request.sequences, spec.effective};
+  const DatasetIdentity identity = identity_of(spec, request);
   check_identity(request.out, identity);
+  if (request.collect) require_begun(request.out);
   std::optional<KeptWork> kept;
   if (std::filesystem::exists(request.out / "dataset.json")) {
     kept.emplace("finished sequences are kept in " + request.out.string() +
@@ -180,7 +213,7 @@ int make_dataset(const DatasetRequest& request) {
   DatasetWorlds worlds(spec.base);
   check_all(spec, request.sequences, worlds);
   try {
-    const DatasetFolder folder(request.out, identity);
+    const DatasetFolder folder(request.out, identity, request.shard);
     if (!folder.is_finished()) {
       try {
         return make_in(folder, spec, worlds, request);
@@ -201,6 +234,39 @@ int make_dataset(const DatasetRequest& request) {
     say(error.what());
     return kRunFailed;
   }
+}
+
+int make_dataset_on_slurm(const DatasetRequest& request, const ClusterRequest& cluster) {
+  const DatasetSpec spec = load_dataset_spec(request.spec, request.overrides);
+  const DatasetIdentity identity = identity_of(spec, request);
+  check_identity(request.out, identity);
+  if (cluster.attach) require_begun(request.out);
+  static_cast<void>(DatasetFolder(request.out, identity));
+  const auto missing_of = [&](int shards) {
+    std::vector<int> missing(static_cast<std::size_t>(shards));
+    for (int i = 0; i < request.sequences; ++i) {
+      const bool there = std::filesystem::exists(request.out / "sequences" / sequence_name(i));
+      missing[static_cast<std::size_t>(i % shards)] += there ? 0 : 1;
+    }
+    return missing;
+  };
+  const auto unfinished = [&](int shards) {
+    const std::vector<int> missing = missing_of(shards);
+    std::vector<int> found;
+    for (int k = 0; k < shards; ++k) {
+      if (missing[static_cast<std::size_t>(k)] > 0) found.push_back(k + 1);
+    }
+    return found;
+  };
+  const auto done = [&] { return static_cast<std::size_t>(request.sequences - missing_of(1)[0]); };
+  const auto collect = [&] {
+    DatasetRequest collecting = request;
+    collecting.collect = true;
+    return make_dataset(collecting);
+  };
+  return follow_on_cluster({folder_beside(request.out, ".slurm"), spec.name, "sequences",
+                            request.sequences, done, unfinished, collect},
+                           cluster);
 }
 
 }  // namespace castaway::testbed

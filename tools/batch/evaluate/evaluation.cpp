@@ -8,10 +8,7 @@
 #include <variant>
 
 #include "localization/geometry/stamp.hpp"
-#include "tools/base/output/exit_code.hpp"
-#include "tools/base/process/worker_pool.hpp"
 #include "tools/batch/evaluate/rows_sink.hpp"
-#include "tools/batch/trials/packed_values.hpp"
 #include "tools/batch/trials/wrong_scans.hpp"
 #include "tools/build/build_localizers.hpp"
 #include "tools/build/map_conversion.hpp"
@@ -216,38 +213,6 @@ EvaluationRow try_tracking(const Evaluator& evaluator, const Frames& frames) {
   return row;
 }
 
-using TrialByIndex = std::function<EvaluationRow(int)>;
-
-/// Runs the trials in worker processes. Returns their results in order.
-std::vector<EvaluationRow> run_at_once(int trials, int workers, const TrialByIndex& run_trial,
-                                       const std::function<void()>& on_trial) {
-  std::vector<EvaluationRow> rows(static_cast<std::size_t>(trials));
-  JobOutcomes outcomes;
-  outcomes.on_result = [&](int index, const std::string& text) {
-    rows[static_cast<std::size_t>(index)] = unpack_row(unpacked_trial(text));
-    on_trial();
-  };
-  outcomes.on_failure = [](int index, const std::string& reason) {
-    throw std::runtime_error(fmt::format("trial {}: {}", index, reason));
-  };
-  work_through(
-      jobs_up_to(trials), workers,
-      [&](int index) { return packed_trial([&] { return pack_row(run_trial(index)); }); },
-      outcomes);
-  return rows;
-}
-
-std::vector<EvaluationRow> run_all(int trials, int workers, const TrialByIndex& run_trial,
-                                   const std::function<void()>& on_trial) {
-  if (workers > 1) return run_at_once(trials, workers, run_trial, on_trial);
-  std::vector<EvaluationRow> rows;
-  for (int i = 0; i < trials; ++i) {
-    rows.push_back(run_trial(i));
-    on_trial();
-  }
-  return rows;
-}
-
 }  // namespace
 
 void validate(const EvaluationConfig& config) {
@@ -255,7 +220,6 @@ void validate(const EvaluationConfig& config) {
     throw std::invalid_argument("starts and kidnaps must not be negative");
   }
   if (!(config.window_s > 0.0)) throw std::invalid_argument("the window must be positive");
-  if (config.workers < 1) throw std::invalid_argument("the number of workers must be positive");
   validate(config.stress);
 }
 
@@ -284,7 +248,7 @@ std::vector<std::vector<EvaluationRow>> evaluate_trials(
   for (const Frames* frames : recordings) require_truth(place.name, *frames);
   const Evaluator evaluator(place, localizer, config);
   const auto count = static_cast<int>(recordings.size());
-  const auto run_trial = [&](int index) {
+  const auto try_one = [&](int index) {
     const Frames& frames = *recordings[static_cast<std::size_t>(index % count)];
     // Tracking takes longest: it is first.
     const int trial = index / count - (config.tracking ? 1 : 0);
@@ -295,8 +259,10 @@ std::vector<std::vector<EvaluationRow>> evaluate_trials(
   const int trials = config.starts + config.kidnaps + (config.tracking ? 1 : 0);
   std::vector<std::vector<EvaluationRow>> by_recording(recordings.size());
   std::size_t next = 0;
-  for (EvaluationRow& row : run_all(trials * count, config.workers, run_trial, on_trial)) {
-    by_recording[next++ % recordings.size()].push_back(std::move(row));
+  const auto run_trial = [&](int index) { return pack_row(try_one(index)); };
+  for (const std::string& text : config.run(trials * count, run_trial, on_trial)) {
+    by_recording[next++ % recordings.size()].push_back(text.empty() ? EvaluationRow{}
+                                                                    : unpack_row(text));
   }
   for (auto& rows : by_recording) {
     if (config.tracking) std::rotate(rows.begin(), rows.begin() + 1, rows.end());

@@ -10,6 +10,7 @@
 #include "tools/batch/evaluate/evaluation_row.hpp"
 #include "tools/batch/evaluate/recorded_place.hpp"
 #include "tools/batch/evaluate/stress.hpp"
+#include "tools/batch/jobs/trial_runner.hpp"
 #include "tools/play/replay/spliced_kidnap.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 
@@ -28,7 +29,7 @@ struct EvaluationConfig {
   std::uint64_t seed = 1;
   /// Called at every scan of a trial, in its process; may throw to end the evaluation.
   std::function<void()> on_scan{};
-  int workers = 1;  ///< Number of trials at once, each in a process of its own if above 1.
+  TrialRunner run = run_at_once(1);  ///< Runs the trials.
 };
 
 /// Throws std::invalid_argument if a value is out of range.
@@ -37,9 +38,10 @@ void validate(const EvaluationConfig& config);
 /// Runs all trials of one localizer on several recordings of a place, in place of its own frames.
 /// Returns for each recording the starts, the kidnaps, then tracking, a row each. Trials begin at
 /// evenly spaced scans; kidnaps lead to these scans. `on_trial` is called after each trial. The
-/// results, except for CPU times, do not depend on the number of workers. Throws std::runtime_error
-/// if a worker fails, std::invalid_argument if a recording has no true poses, the place has no map
-/// for the localizer, or the stress changes a map that the localizer does not use.
+/// results, except for CPU times, do not depend on the runner. A trial that the runner has no text
+/// of adds nothing to its row. Throws as the runner does, std::invalid_argument if a recording has
+/// no true poses, the place has no map for the localizer, or the stress changes a map that the
+/// localizer does not use.
 std::vector<std::vector<EvaluationRow>> evaluate_trials(
     const RecordedPlace& place, const std::vector<const Frames*>& recordings,
     const LocalizerSpec& localizer, const EvaluationConfig& config,

@@ -1,5 +1,8 @@
 #include "tools/batch/seeds/run_seeds.hpp"
 
+#include <algorithm>
+#include <set>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +16,7 @@
 #include "tools/base/output/own_file.hpp"
 #include "tools/base/output/runs_folder.hpp"
 #include "tools/base/output/say.hpp"
+#include "tools/base/process/worker_pool.hpp"
 #include "tools/batch/compare/aggregate.hpp"
 #include "tools/batch/seeds/play_runs.hpp"
 #include "tools/batch/seeds/seeds_summary.hpp"
@@ -55,10 +59,17 @@ int play_seed(const SeedsRequest& request, int index, SharedWorlds& worlds) {
   return play(load(request, index), options);
 }
 
-/// A folder for each seed.
+/// Indices of the seeds that this process plays or collects.
+std::vector<int> own_seeds(const SeedsRequest& request) {
+  std::vector<int> own = jobs_up_to(request.seeds.count);
+  std::erase_if(own, [&](int i) { return !request.shard.makes(i); });
+  return own;
+}
+
+/// A folder for each of these seeds.
 std::vector<PlannedRun> planned_runs(const SeedsRequest& request) {
   std::vector<PlannedRun> runs;
-  for (int i = 0; i < request.seeds.count; ++i) {
+  for (const int i : own_seeds(request)) {
     runs.push_back(
         {fmt::format("seed-{}", seed_of(request, i)), sha256(load(request, i).effective)});
   }
@@ -80,7 +91,10 @@ RunsFolder open_folder(SeedsRequest& request, const Scenario& scenario) {
   if (!request.junit.empty()) require_own_file(request.junit);
   request.out = output.target;
   if (scenario.outputs.report) require_own_file(request.out / kIndexName);
-  return {std::move(output), runs};
+  const RunsShare share = request.collect          ? RunsShare::kCollect
+                          : request.shard.is_all() ? RunsShare::kAll
+                                                   : RunsShare::kSome;
+  return {std::move(output), runs, share};
 }
 
 /// The outcome of a seed.
@@ -95,11 +109,40 @@ Outcome outcome_of(const std::filesystem::path& folder) {
   return {load_judged_run(folder), std::nullopt};
 }
 
-Outcomes play_all(const SeedsRequest& request, const RunsFolder& folder) {
-  const std::vector<int> codes =
-      play_runs(folder, request.workers, [&](std::size_t index, SharedWorlds& worlds) {
-        return play_seed(request, static_cast<int>(index), worlds);
-      });
+/// Exit codes of the runs that shards made: those that are missing have failed.
+std::vector<int> codes_of_shards(const RunsFolder& folder) {
+  std::vector<int> codes;
+  std::string missing;
+  for (std::size_t i = 0; i < folder.runs().size(); ++i) {
+    codes.push_back(folder.has_run(i) ? kDone : kRunFailed);
+    if (codes.back() != kDone) missing += (missing.empty() ? "" : ", ") + folder.runs()[i].folder;
+  }
+  if (!missing.empty()) {
+    throw std::runtime_error(fmt::format("{}: runs are missing: {}; run their shards again",
+                                         folder.path().string(), missing));
+  }
+  return codes;
+}
+
+/// Exit codes of the planned runs.
+std::vector<int> play_own(const SeedsRequest& request, const RunsFolder& folder) {
+  if (request.collect) return codes_of_shards(folder);
+  const std::vector<int> own = own_seeds(request);
+  return play_runs(folder, request.workers, [&](std::size_t run, SharedWorlds& worlds) {
+    return play_seed(request, own[run], worlds);
+  });
+}
+
+int end_shard(const SeedsRequest& request, const std::vector<int>& codes) {
+  const auto made = std::count(codes.begin(), codes.end(), kDone);
+  print_out(
+      "Shard {} of {}: {} runs made; the same command with --collect in place of --shard sums up "
+      "when all are done\n",
+      request.shard.index, request.shard.count, made);
+  return made == static_cast<std::ptrdiff_t>(codes.size()) ? kDone : kRunFailed;
+}
+
+Outcomes outcomes_of(const SeedsRequest& request, const std::vector<int>& codes) {
   Outcomes outcomes;
   for (std::size_t i = 0; i < codes.size(); ++i) {
     outcomes.push_back(codes[i] == kDone ? outcome_of(seed_folder(request, static_cast<int>(i)))
@@ -191,7 +234,9 @@ int run_seeds(SeedsRequest request) {
   std::vector<Expectation> expectations = scenario.expect;
   expectations.insert(expectations.end(), request.expectations.begin(), request.expectations.end());
   RunsFolder folder = open_folder(request, scenario);
-  const Outcomes outcomes = play_all(request, folder);
+  const std::vector<int> codes = play_own(request, folder);
+  if (!request.shard.is_all()) return end_shard(request, codes);
+  const Outcomes outcomes = outcomes_of(request, codes);
   const std::vector<JudgedRun> runs = done_of(outcomes);
   const Json summary = summary_of(request, scenario.name, outcomes);
   Attempts outputs;
@@ -207,6 +252,33 @@ int run_seeds(SeedsRequest request) {
   print_out("{}", request.json ? json_text(summary, 2) + "\n" : describe_seeds(request.out));
   fmt::print(request.json ? stderr : stdout, "{}", describe_checks(checks));
   return runs.size() < outcomes.size() ? kRunFailed : exit_code_of(checks);
+}
+
+int run_seeds_on_slurm(const SeedsRequest& request, const ClusterRequest& cluster) {
+  const Scenario scenario = load(request, 0).scenario;
+  const auto missing = [&](int i) {
+    const auto record = load_record(seed_folder(request, i));
+    return !record || !record->finished;
+  };
+  const auto unfinished = [&](int shards) {
+    std::set<int> found;
+    for (int i = 0; i < request.seeds.count; ++i) {
+      if (missing(i)) found.insert(i % shards + 1);
+    }
+    return std::vector<int>(found.begin(), found.end());
+  };
+  const auto done = [&] {
+    const std::vector<int> all = jobs_up_to(request.seeds.count);
+    return all.size() - static_cast<std::size_t>(std::count_if(all.begin(), all.end(), missing));
+  };
+  const auto collect = [&] {
+    SeedsRequest collecting = request;
+    collecting.collect = true;
+    return run_seeds(collecting);
+  };
+  return follow_on_cluster({folder_beside(request.out, ".slurm"), scenario.name, "runs",
+                            request.seeds.count, done, unfinished, collect},
+                           cluster);
 }
 
 }  // namespace castaway::testbed

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "tools/base/process/seed_range.hpp"
+#include "tools/batch/cluster/slurm_batch.hpp"
+#include "tools/batch/jobs/shard.hpp"
 #include "tools/play/report_writer.hpp"
 #include "tools/play/shown_runs.hpp"
 #include "tools/run/metrics/expectation.hpp"
@@ -19,6 +21,8 @@ struct SeedsRequest {
   std::vector<std::string> overrides;  ///< key=value, without the seed.
   SeedRange seeds;
   int workers = 1;
+  Shard shard{};                          ///< Which of the runs this process makes.
+  bool collect = false;                   ///< Makes none: shards did.
   std::filesystem::path out;              ///< Holds a folder for each seed; empty: the default.
   std::string label;                      ///< Of a default folder that is taken (OutputRequest).
   bool force = false;                     ///< The folder may hold other files, too.
@@ -32,8 +36,12 @@ struct SeedsRequest {
 };
 
 /// Plays every seed into `out`/seed-<n> and writes the aggregate into `out`: summary.json (`kind`
-/// "seeds"), timing.json and, where the runs have reports, index.html. Returns the exit code:
-/// kRunFailed if a run failed, else kExpectationNotMet if an expectation was not met.
+/// "seeds"), timing.json and, where the runs have reports, index.html; a shard only its runs.
+/// Returns the exit code: kRunFailed if a run failed or is missing, else kExpectationNotMet if an
+/// expectation was not met.
 int run_seeds(SeedsRequest request);
+
+/// Plays them on a cluster, as `follow_on_cluster` does; scripts and logs are in `<out>.slurm`.
+int run_seeds_on_slurm(const SeedsRequest& request, const ClusterRequest& cluster);
 
 }  // namespace castaway::testbed

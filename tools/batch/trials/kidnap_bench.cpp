@@ -1,14 +1,9 @@
 #include "tools/batch/trials/kidnap_bench.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
-#include <fmt/format.h>
-
-#include "tools/base/process/worker_pool.hpp"
 #include "tools/batch/trials/distinguishability.hpp"
 #include "tools/batch/trials/kidnap_text.hpp"
-#include "tools/batch/trials/packed_values.hpp"
 #include "tools/batch/trials/place_finder.hpp"
 #include "tools/build/build_localizers.hpp"
 #include "tools/build/map_conversion.hpp"
@@ -140,25 +135,16 @@ std::vector<KidnapReport> play_kidnaps(const KidnapTrials& trials,
                                        const KidnapTrialCount& count,
                                        const std::function<void()>& on_trial) {
   const Stage stage(trials, localizers);
-  std::vector<KidnapReport> reports(static_cast<std::size_t>(count.kidnaps));
-  JobOutcomes outcomes;
-  outcomes.on_result = [&](int index, const std::string& text) {
-    reports[static_cast<std::size_t>(index)] = unpack_report(unpacked_trial(text));
-    on_trial();
+  const auto run_trial = [&](int index) {
+    KidnapReport report = report_of(stage, play_trial(stage, trials.draw(index, count.obstacles)));
+    report.index = index;
+    report.obstacles = count.obstacles;
+    return pack_report(report);
   };
-  outcomes.on_failure = [](int index, const std::string& reason) {
-    throw std::runtime_error(fmt::format("trial {}: {}", index, reason));
-  };
-  const auto work = [&](int index) {
-    return packed_trial([&] {
-      KidnapReport report =
-          report_of(stage, play_trial(stage, trials.draw(index, count.obstacles)));
-      report.index = index;
-      report.obstacles = count.obstacles;
-      return pack_report(report);
-    });
-  };
-  work_through(jobs_up_to(count.kidnaps), count.workers, work, outcomes);
+  std::vector<KidnapReport> reports;
+  for (const std::string& text : count.run(count.kidnaps, run_trial, on_trial)) {
+    if (!text.empty()) reports.push_back(unpack_report(text));
+  }
   return reports;
 }
 

@@ -5,14 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "tools/run/localizer_failure.hpp"
-
 namespace castaway::testbed {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr char kLocalizerFailed = '!';  // First character; JSON never begins so.
 
 Json packed_bin(const CalibrationBin& bin) {
   return {bin.scans, bin.right, packed(bin.stated_sum)};
@@ -58,17 +54,6 @@ Calibration unpacked_calibration(const Json& json) {
   calibration.squares = unpacked_double(json.at(1));
   calibration.sure = unpacked_bin(json.at(2));
   return calibration;
-}
-
-std::string packed_trial(const std::function<std::string()>& play) try {
-  return play();
-} catch (const LocalizerFailure& failure) {
-  return kLocalizerFailed + std::string(failure.what());
-}
-
-std::string unpacked_trial(const std::string& answer) {
-  if (answer.starts_with(kLocalizerFailed)) throw LocalizerFailure(answer.substr(1));
-  return answer;
 }
 
 }  // namespace castaway::testbed

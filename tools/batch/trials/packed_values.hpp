@@ -1,10 +1,7 @@
 /// Values as JSON without names, for transfer between processes: every bit of them.
 #pragma once
 
-#include <functional>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -22,10 +19,5 @@ std::optional<double> unpacked_number(const nlohmann::ordered_json& json);
 
 nlohmann::ordered_json packed(const Calibration& calibration);
 Calibration unpacked_calibration(const nlohmann::ordered_json& json);
-
-/// What a worker answers for a trial: the text of `play`, or that a localizer failed.
-std::string packed_trial(const std::function<std::string()>& play);
-/// The text. Throws LocalizerFailure if a localizer failed.
-std::string unpacked_trial(const std::string& answer);
 
 }  // namespace castaway::testbed

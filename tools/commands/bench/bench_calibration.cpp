@@ -3,13 +3,15 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "tools/base/files/json_text.hpp"
 #include "tools/base/output/say.hpp"
-#include "tools/base/process/worker_pool.hpp"
+#include "tools/batch/jobs/kept_trials.hpp"
+#include "tools/commands/arguments/batch_arguments.hpp"
 #include "tools/commands/bench/bench.hpp"
 #include "tools/run/metrics/statistics/statistics.hpp"
 #include "tools/twin/calibration_trials.hpp"
@@ -19,7 +21,7 @@ namespace {
 
 struct CalibrationArguments {
   CalibrationTrialConfig config;
-  int workers = 1;
+  BatchArguments batch;
   bool json = false;
 };
 
@@ -36,26 +38,18 @@ Json to_json(const FoundSetting& setting, int trial) {
 }
 
 /// Runs all trials. Returns their settings, trial by trial.
-Json run_calibrations(const CalibrationArguments& arguments) {
-  const int trials = arguments.config.trials;
-  std::vector<Json> found(static_cast<std::size_t>(trials));
-  const auto work = [&](int trial) {
+Json run_calibrations(const CalibrationTrialConfig& config, const TrialRunner& run) {
+  const auto run_trial = [&](int trial) {
     Json settings = Json::array();
-    for (const FoundSetting& setting : try_calibration(arguments.config, trial)) {
+    for (const FoundSetting& setting : try_calibration(config, trial)) {
       settings.push_back(to_json(setting, trial));
     }
     return json_text(settings);
   };
-  JobOutcomes outcomes;
-  outcomes.on_result = [&](int trial, const std::string& settings) {
-    found[static_cast<std::size_t>(trial)] = Json::parse(settings);
-  };
-  outcomes.on_failure = [](int trial, const std::string& reason) {
-    throw std::runtime_error(fmt::format("trial {}: {}", trial, reason));
-  };
-  work_through(jobs_up_to(trials), arguments.workers, work, outcomes);
   Json all = Json::array();
-  for (const Json& settings : found) {
+  for (const std::string& text : run(config.trials, run_trial, [] {})) {
+    if (text.empty()) continue;
+    const Json settings = Json::parse(text);
     all.insert(all.end(), settings.begin(), settings.end());
   }
   return all;
@@ -91,14 +85,35 @@ void print_settings(const Json& all) {
   }
 }
 
-int bench_calibration(const CalibrationArguments& arguments) {
-  const Json all = run_calibrations(arguments);
+int show(const CalibrationArguments& arguments, const Json& all) {
   if (arguments.json) {
     print_out("{}\n", json_text(all, 1));
   } else {
     print_settings(all);
   }
   return kDone;
+}
+
+int calibrate_kept(const CalibrationArguments& arguments, BatchRequest request) {
+  KeptTrials kept(std::move(request), identity_of_command("calibrations"), arguments.config.trials);
+  const Json all = run_calibrations(arguments.config, kept.runner());
+  if (!kept.has_all()) return kept.report();
+  kept.folder().put("summary.json", json_text(all, 1) + "\n");
+  const int code = show(arguments, all);
+  if (!arguments.json) print_out("Folder: {}\n", kept.folder().path().string());
+  return code;
+}
+
+int bench_calibration(CalibrationArguments arguments) {
+  BatchArguments& batch = arguments.batch;
+  batch.check();
+  if (batch.cluster.slurm || batch.cluster.attach) {
+    return follow_trials(
+        "calibrations", arguments.config.trials, batch,
+        [&arguments](const BatchRequest& collect) { return calibrate_kept(arguments, collect); });
+  }
+  if (!batch.out.empty()) return calibrate_kept(arguments, batch.request);
+  return show(arguments, run_calibrations(arguments.config, run_at_once(batch.request.workers)));
 }
 
 }  // namespace
@@ -113,7 +128,7 @@ void add_bench_calibration(Command& bench) {
       .range(60.0, 1e5)
       .show_default();
   command.add_option("--seed", config.seed, "Seed of the settings").show_default();
-  command.add_option("-j,--jobs", arguments->workers, "Trials at a time").range(1, 1024);
+  add_batch_options(command, arguments->batch, "trials");
   command.add_flag("--json", arguments->json, "Print JSON instead of words");
   command.footer(
       "Near: systematic errors of odometry, noise and lost shares within 10 %, random errors of "

@@ -3,13 +3,17 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "tools/base/files/json_text.hpp"
 #include "tools/base/output/say.hpp"
+#include "tools/batch/jobs/kept_trials.hpp"
 #include "tools/batch/trials/kidnap_bench.hpp"
+#include "tools/commands/arguments/batch_arguments.hpp"
 #include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/bench/bench.hpp"
 #include "tools/play/progress.hpp"
@@ -44,7 +48,7 @@ struct KidnapArguments {
   int kidnaps = 200;
   std::vector<int> obstacles;
   double within_s = 10.0;
-  int workers = 1;
+  BatchArguments batch;
   LocalizerArguments localizers;
   std::vector<std::string> names;  ///< Of the localizers.
   bool verbose = false;
@@ -181,34 +185,70 @@ Json to_json(const KidnapBatch& batch) {
   return json;
 }
 
-KidnapBatch play_batch(const KidnapTrials& trials, const std::vector<LocalizerSpec>& specs,
-                       const KidnapArguments& arguments, int obstacles) {
-  TrialCount done(arguments.kidnaps);
-  const auto reports = play_kidnaps(
-      trials, specs, {arguments.kidnaps, obstacles, arguments.workers}, [&done] { done.next(); });
-  if (arguments.verbose) {
-    for (const KidnapReport& report : reports) print_failure(report, arguments);
+/// Plays all batches, and prints those that are whole. Returns them. `kept`: null without a folder.
+std::vector<KidnapBatch> play_batches(const KidnapArguments& arguments,
+                                      const std::vector<LocalizerSpec>& specs, KeptTrials* kept) {
+  const KidnapTrials trials(arguments.trials);
+  std::vector<KidnapBatch> batches;
+  for (const int obstacles : arguments.obstacles) {
+    std::optional<TrialCount> done;
+    if (kept == nullptr) done.emplace(arguments.kidnaps);
+    const KidnapTrialCount count{
+        arguments.kidnaps, obstacles,
+        kept != nullptr ? kept->runner() : run_at_once(arguments.batch.request.workers)};
+    const auto reports = play_kidnaps(trials, specs, count, [&done] {
+      if (done) done->next();
+    });
+    if (kept != nullptr && !kept->has_all()) continue;
+    if (arguments.verbose) {
+      for (const KidnapReport& report : reports) print_failure(report, arguments);
+    }
+    if (!arguments.json && batches.empty()) print_header();
+    batches.push_back(summarise(reports, arguments.names, arguments.within_s));
+    if (!arguments.json) print_batch(batches.back());
   }
-  return summarise(reports, arguments.names, arguments.within_s);
+  return batches;
+}
+
+int show(const KidnapArguments& arguments, const std::vector<KidnapBatch>& batches,
+         const JobFolder* folder) {
+  auto json = Json::array();
+  int voids = 0;
+  for (const KidnapBatch& batch : batches) {
+    json.push_back(to_json(batch));
+    voids += batch.voids;
+  }
+  if (folder != nullptr) folder->put("summary.json", json_text(json, 1) + "\n");
+  if (arguments.json) {
+    print_out("{}\n", json_text(json, 1));
+  } else if (folder != nullptr) {
+    print_out("Folder: {}\n", folder->path().string());
+  }
+  return voids > 0 ? kRunFailed : kDone;
+}
+
+int play_kept(const KidnapArguments& arguments, const std::vector<LocalizerSpec>& specs, int trials,
+              BatchRequest request) {
+  KeptTrials kept(std::move(request), identity_of_command("kidnaps"), trials);
+  const std::vector<KidnapBatch> batches = play_batches(arguments, specs, &kept);
+  return kept.has_all() ? show(arguments, batches, &kept.folder()) : kept.report();
 }
 
 int bench_kidnaps(KidnapArguments arguments) {
+  arguments.batch.check();
   if (arguments.obstacles.empty()) arguments.obstacles = {0};
   const std::vector<LocalizerSpec> specs = arguments.localizers.specs({"mh_amcl", "amcl"});
   arguments.names = names_of(specs);
   arguments.trials.kind = kKinds.at(arguments.kind);
-  const KidnapTrials trials(arguments.trials);
-  auto batches = Json::array();
-  int voids = 0;
-  if (!arguments.json) print_header();
-  for (const int obstacles : arguments.obstacles) {
-    const KidnapBatch batch = play_batch(trials, specs, arguments, obstacles);
-    if (!arguments.json) print_batch(batch);
-    batches.push_back(to_json(batch));
-    voids += batch.voids;
+  const int trials = arguments.kidnaps * static_cast<int>(arguments.obstacles.size());
+  const BatchArguments& batch = arguments.batch;
+  if (batch.cluster.slurm || batch.cluster.attach) {
+    return follow_trials("kidnaps", trials, batch, [&](const BatchRequest& collect) {
+      return play_kept(arguments, specs, trials, collect);
+    });
   }
-  if (arguments.json) print_out("{}\n", json_text(batches, 1));
-  return voids > 0 ? kRunFailed : kDone;
+  if (!batch.out.empty()) return play_kept(arguments, specs, trials, batch.request);
+  return show(arguments, play_batches(arguments, specs, nullptr), nullptr);
 }
 
 }  // namespace
@@ -256,7 +296,7 @@ void add_bench_kidnaps(Command& bench) {
       .show_default();
   add_localizer_options(command, a->localizers, "mh_amcl and amcl");
   command.add_option("--seed", a->trials.seed, "Root seed").show_default();
-  command.add_option("-j,--jobs", a->workers, "Trials at a time").range(1, 1024).show_default();
+  add_batch_options(command, a->batch, "trials");
   command.add_flag("--verbose", a->verbose,
                    "Print the trials that fail: of the matcher and of the first localizer");
   command.add_flag("--json", a->json, "Print JSON");
@@ -267,7 +307,8 @@ void add_bench_kidnaps(Command& bench) {
       "Examples:\n"
       "  castaway bench kidnaps --kidnaps 300\n"
       "  castaway bench kidnaps --world hall --kind look-alike --min-distance 1 --lidar urg-04lx\n"
-      "  castaway bench kidnaps --world office --obstacles 0 --obstacles 6 --obstacles 12");
+      "  castaway bench kidnaps --world office --obstacles 0 --obstacles 6 --obstacles 12\n"
+      "  castaway bench kidnaps --kidnaps 1000 --out kidnaps -j 4");
   command.action([a] { return bench_kidnaps(*a); });
 }
 

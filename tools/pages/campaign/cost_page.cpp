@@ -127,7 +127,7 @@ std::string render_cost_page(const FinishedCampaign& campaign, const std::vector
           escape_html(title)) +
       plots_notice() +
       html_section("Totals",
-                   data_table_html(totals_table(campaign.rows.cells().size(), costs), "")) +
+                   data_table_html(totals_table(campaign.rows.jobs().size(), costs), "")) +
       html_section("Over the keys", cost_curves(costs.figures) +
                                         data_table_html(costs_by_key(costs.figures), "No key.")) +
       html_section("Most expensive cells", data_table_html(expensive_cells(costs), "No cells."));

@@ -46,10 +46,9 @@ std::string headline_html(const FinishedCampaign& campaign, const CampaignFigure
              "<h1>Campaign {}</h1>\n<p>{} cells: {} done, {} void, {} failed. {} combinations, {} "
              "of each. Kidnaps of all localizers: {}, recoveries: {}.</p>\n<div "
              "class=\"lead\">\n{}</div>\n",
-             escape_html(spec.name), campaign.rows.cells().size(),
-             figures.cells(CellOutcome::kDone), figures.cells(CellOutcome::kVoid),
-             figures.cells(CellOutcome::kFailed), spec.combinations(), seeds_text(spec), kidnaps,
-             recovered, sentences) +
+             escape_html(spec.name), campaign.rows.jobs().size(), figures.cells(CellOutcome::kDone),
+             figures.cells(CellOutcome::kVoid), figures.cells(CellOutcome::kFailed),
+             spec.combinations(), seeds_text(spec), kidnaps, recovered, sentences) +
          expectation_list(campaign.checks);
 }
 

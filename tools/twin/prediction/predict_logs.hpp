@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,14 +9,16 @@
 
 namespace castaway::testbed {
 
-/// Predictions for all logs, in their order. `folders`: as of `load_recorded_place`; `workers` logs
-/// are worked on at a time, or as many trials of a single log. The twins are written to
-/// `<out>/<log>`. `on_log` is called after each log with its name. Throws std::runtime_error if two
-/// logs have one name, or a log cannot be used.
+/// The names of logs, which name their twins: those of their folders. Throws std::runtime_error if
+/// two have one name.
+std::vector<std::string> names_of_logs(const std::vector<std::string>& folders);
+
+/// Predictions for all logs, in their order, each as a trial of `run`; none where one has no text.
+/// `folders`: as of `load_recorded_place`. The twins are written to `<out>/<log>`. Throws
+/// std::runtime_error if two logs have one name, and as `run` and `predict_log` do.
 std::vector<LogPrediction> predict_logs(const std::vector<std::string>& folders,
                                         const std::vector<LocalizerSpec>& localizers,
                                         const PredictionConfig& config,
-                                        const std::filesystem::path& out,
-                                        const std::function<void(const std::string&)>& on_log);
+                                        const std::filesystem::path& out, const TrialRunner& run);
 
 }  // namespace castaway::testbed

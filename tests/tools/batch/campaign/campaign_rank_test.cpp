@@ -26,10 +26,10 @@ class CampaignRankTest : public testing::Test {
         CellRow row;
         row.index = i;
         row.metrics[kMetric] = value(cell);
-        file.add(row);
+        file.add(row_text(row));
       }
     }
-    RowIndex rows(folder_.path(), spec_.cells());
+    CellRows rows(folder_.path(), spec_.cells());
     return rank_keys(spec_, rows, kMetric);
   }
 
@@ -79,7 +79,7 @@ seeds: 64
 
 TEST_F(CampaignRankTest, NeedsKeysThatVary) {
   load("scenario: {world: lab}\nseeds: 2\n");
-  RowIndex rows(folder_.path(), spec_.cells());
+  CellRows rows(folder_.path(), spec_.cells());
   EXPECT_TRUE(contains(error_of([&] { rank_keys(spec_, rows, kMetric); }), "needs a grid"));
 }
 

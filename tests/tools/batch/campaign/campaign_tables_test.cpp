@@ -30,10 +30,10 @@ class CampaignTablesTest : public testing::Test {
                      {"mh_amcl", "carry", 9.0, {}, false, false, {}}};
       if (i == 0) row.kidnaps[0].time_s = 1.5;
       row.cpu_s = 0.25;
-      file.add(row);
+      file.add(row_text(row));
     }
   }
-  RowIndex rows() { return {folder_.path(), spec_.cells()}; }
+  CellRows rows() { return {folder_.path(), spec_.cells()}; }
 
   TemporaryFolder folder_;
   CampaignSpec spec_ =
@@ -44,7 +44,7 @@ class CampaignTablesTest : public testing::Test {
 };
 
 TEST_F(CampaignTablesTest, ResultsHaveARowForEachCell) {
-  RowIndex index = rows();
+  CellRows index = rows();
   write_results(spec_, index, folder_.path() / "r.csv");
   EXPECT_EQ(read_file(folder_.path() / "r.csv"),
             "cell,name,seed,lidar.range_max,state,reason,distance_m,mh_amcl.recovery.success\n"
@@ -55,7 +55,7 @@ TEST_F(CampaignTablesTest, ResultsHaveARowForEachCell) {
 }
 
 TEST_F(CampaignTablesTest, KidnapsHaveARowForEachKidnap) {
-  RowIndex index = rows();
+  CellRows index = rows();
   write_kidnaps(spec_, index, folder_.path() / "k.csv");
   const std::string text = read_file(folder_.path() / "k.csv");
   EXPECT_TRUE(contains(text,
@@ -67,7 +67,7 @@ TEST_F(CampaignTablesTest, KidnapsHaveARowForEachKidnap) {
 }
 
 TEST_F(CampaignTablesTest, TheSummaryPoolsWhatCounts) {
-  RowIndex index = rows();
+  CellRows index = rows();
   const auto summary = campaign_summary(spec_, index);
   EXPECT_EQ(summary.at("cells"), 4);
   const auto& first = summary.at("combinations").at(0);
@@ -87,7 +87,7 @@ TEST_F(CampaignTablesTest, TheSummaryPoolsWhatCounts) {
 
 TEST_F(CampaignTablesTest, Hdf5HasTheSameRows) {
   if (!h5dump_works()) GTEST_SKIP() << "h5dump is not installed (hdf5-tools)";
-  RowIndex index = rows();
+  CellRows index = rows();
   const auto file = folder_.path() / "r.h5";
   write_hdf5(spec_, index, file);
   const auto shows = [&](const std::string& path, const std::string& text) {
@@ -107,7 +107,7 @@ TEST_F(CampaignTablesTest, Hdf5HasTheSameRows) {
 }
 
 TEST_F(CampaignTablesTest, CostsAreInAFileOfTheirOwn) {
-  RowIndex index = rows();
+  CellRows index = rows();
   write_costs(index, folder_.path() / "c.csv");
   EXPECT_TRUE(contains(read_file(folder_.path() / "c.csv"), "\n2,0.250000,0.000000,0.0\n"));
 }
@@ -118,7 +118,7 @@ TEST_F(CampaignTablesTest, CellsThatWereNotNeededAreLeftOut) {
                                      "scenario: {world: lab}\ngrid: {lidar.range_max: [4, 8]}\n"
                                      "seeds: 3\nuntil: {metric: a, width: 1, first: 2}\n"),
                          FilePrograms::kRefused);
-  RowIndex index(folder_.path(), larger.cells());
+  CellRows index(folder_.path(), larger.cells());
   EXPECT_EQ(campaign_summary(larger, index).at("cells"), 4);
 }
 

@@ -21,10 +21,10 @@ class StoppingRuleTest : public testing::Test {
     row.index = cell;
     row.state = state;
     row.metrics["mh_amcl.recovery.success"] = success;
-    RowsFile(folder_.path() / "rows.jsonl").add(row);
+    RowsFile(folder_.path() / "rows.jsonl").add(row_text(row));
   }
   int needed(int combination) {
-    RowIndex rows(folder_.path(), spec_.cells());
+    CellRows rows(folder_.path(), spec_.cells());
     return cells_needed(spec_, rows, combination);
   }
 
@@ -45,7 +45,7 @@ TEST_F(StoppingRuleTest, AsksForTheFirstLookThenForTheNext) {
 TEST_F(StoppingRuleTest, EndsWhereTheIntervalIsNarrow) {
   for (int i = 0; i < 8; ++i) add(40 + i, 1.0);
   EXPECT_EQ(needed(1), 8);  // Of 8 in 8: 0.55 to 1.
-  RowIndex rows(folder_.path(), spec_.cells());
+  CellRows rows(folder_.path(), spec_.cells());
   EXPECT_EQ(missing_cells(spec_, rows, 3), (std::vector<int>{0, 1, 2}));
   EXPECT_EQ(missing_cells(spec_, rows, 99).size(), 8U);
 }

@@ -7,8 +7,11 @@
 namespace castaway::testbed {
 namespace {
 
-const CampaignCommand kCommand{
-    "/opt/castaway", "/home/me/my spec.yaml", "/shared/out", {"--set", "a=b c"}, "range"};
+const SharedCommand kCommand{"/opt/castaway",
+                             "/home/me",
+                             "/shared/out/slurm",
+                             {"campaign", "my spec.yaml", "--out", "/shared/out", "--set", "a=b c"},
+                             "range"};
 
 TEST(SlurmJob, TheArrayMakesAShardPerTask) {
   EXPECT_EQ(array_script(kCommand, {.tasks = 8, .cores = 3}),
@@ -17,8 +20,8 @@ TEST(SlurmJob, TheArrayMakesAShardPerTask) {
             "#SBATCH --output='/shared/out/slurm/task-%j.log'\n"
             "#SBATCH --cpus-per-task=3\n"
             "#SBATCH --requeue\n"
-            "exec '/opt/castaway' campaign '/home/me/my spec.yaml' --out '/shared/out' '--set' "
-            "'a=b c' -j 3 --shard \"$SLURM_ARRAY_TASK_ID/8\"\n");
+            "cd '/home/me' && exec '/opt/castaway' 'campaign' 'my spec.yaml' '--out' '/shared/out' "
+            "'--set' 'a=b c' -j 3 --shard \"$SLURM_ARRAY_TASK_ID/8\"\n");
 }
 
 TEST(SlurmJob, TheOtherJobCollects) {

@@ -39,6 +39,31 @@ TEST(DatasetFolder, KeepsFinishedSequencesAndClearsTheRest) {
   EXPECT_FALSE(again.is_finished());
 }
 
+TEST(DatasetFolder, IsSharedByShards) {
+  const TemporaryFolder temporary;
+  const fs::path path = temporary.path() / "set";
+  {
+    const DatasetFolder first(path, identity(), {1, 2});
+    const DatasetFolder second(path, identity(), {2, 2});
+    EXPECT_TRUE(contains(error_of([&] { DatasetFolder(path, identity(), {2, 2}); }), "another"));
+    EXPECT_TRUE(contains(refusal(path, identity()), "another castaway process"));
+    for (const DatasetFolder* folder : {&first, &second}) {
+      const std::string name = folder == &first ? "000000" : "000001";
+      fs::create_directories(folder->draft(name));
+      write_file(folder->draft(name) / "a", name);
+      folder->commit_sequence(name);
+      fs::create_directories(folder->draft("half"));
+    }
+  }
+  const DatasetFolder again(path, identity(), {2, 2});
+  EXPECT_FALSE(fs::exists(again.draft("half")));
+  EXPECT_TRUE(fs::exists(path / ".work-1-of-2/half"));
+  again.clear_work();
+  const DatasetFolder whole(path, identity());
+  EXPECT_TRUE(whole.has_sequence("000000") && whole.has_sequence("000001"));
+  EXPECT_FALSE(fs::exists(path / ".work-1-of-2"));
+}
+
 TEST(DatasetFolder, LeavesNothingButWhatBelongsToIt) {
   const TemporaryFolder temporary;
   const DatasetFolder folder(temporary.path() / "set", identity());

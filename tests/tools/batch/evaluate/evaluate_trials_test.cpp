@@ -72,7 +72,7 @@ TEST(EvaluateTrials, OfEachRecordingAreThoseOfThatRecordingAlone) {
   EXPECT_NE(without_cpu(sum_trials(place, amcl, rows[0])),
             without_cpu(sum_trials(place, amcl, rows[1])));
   config.tracking = false;
-  config.workers = 2;
+  config.run = run_at_once(2);
   const auto untracked = evaluate_trials(place, {&place.frames, &other.frames}, amcl, config);
   for (std::size_t k = 0; k < 2; ++k) {
     ASSERT_EQ(untracked[k].size(), 3U);

@@ -122,7 +122,7 @@ TEST(Evaluation, DoesNotDependOnTheNumberOfWorkers) {
   config.kidnap_to = SpliceKind::kLookAlike;
   const RecordedPlace place = recorded_office(120);
   const auto without_times = [&](int workers) {
-    config.workers = workers;
+    config.run = run_at_once(workers);
     int trials = 0;
     EvaluationRow row = evaluate(place, parse_localizer("mh_amcl"), config, [&] { ++trials; });
     EXPECT_EQ(trials, 4);
@@ -140,9 +140,6 @@ TEST(Evaluation, RefusesWhatIsOutOfRange) {
   EXPECT_THROW(validate(config), std::invalid_argument);
   config = {};
   config.starts = -1;
-  EXPECT_THROW(validate(config), std::invalid_argument);
-  config = {};
-  config.workers = 0;
   EXPECT_THROW(validate(config), std::invalid_argument);
   config = {};
   config.stress.blocked_share = 2.0;

@@ -98,7 +98,7 @@ TEST(KidnapTrials, HaveTheKindAndTheLidarThatAreAskedFor) {
 TEST(PlayKidnaps, JudgesLocalizersOnTheSameRuns) {
   const std::vector<LocalizerSpec> specs = {parse_localizer("mh_amcl"), parse_localizer("amcl")};
   int played = 0;
-  const auto reports = play_kidnaps(lab(), specs, {2, 0, 2}, [&] { ++played; });
+  const auto reports = play_kidnaps(lab(), specs, {2, 0, run_at_once(2)}, [&] { ++played; });
   EXPECT_EQ(played, 2);
   ASSERT_EQ(reports.size(), 2U);
   EXPECT_EQ(reports[1].index, 1);
@@ -120,7 +120,7 @@ TEST(PlayKidnaps, JudgesLocalizersOnTheSameRuns) {
 TEST(PlayKidnaps, RepeatsItself) {
   const std::vector<LocalizerSpec> specs = {parse_localizer("mh_amcl")};
   const auto recovered = [&] {
-    return play_kidnaps(lab(), specs, {1, 3}).at(0).outcomes.at(0).recovered_s;
+    return play_kidnaps(lab(), specs, {1, 3, run_at_once(1)}).at(0).outcomes.at(0).recovered_s;
   };
   EXPECT_EQ(recovered(), recovered());
 }

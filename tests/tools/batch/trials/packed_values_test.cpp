@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/run/localizer_failure.hpp"
-
 namespace castaway::testbed {
 namespace {
 
@@ -39,22 +37,6 @@ TEST(PackedValues, TellNothingFromZero) {
 
 TEST(PackedValues, RefuseOtherJson) {
   EXPECT_THROW(unpacked_double(nlohmann::ordered_json::array()), nlohmann::json::exception);
-}
-
-TEST(PackedValues, PassATrialOn) {
-  EXPECT_EQ(unpacked_trial(packed_trial([] { return std::string("two\nlines"); })), "two\nlines");
-}
-
-TEST(PackedValues, PassTheFailureOfALocalizerOnAndNoOther) {
-  const std::string answer = packed_trial([]() -> std::string { throw LocalizerFailure("died"); });
-  try {
-    unpacked_trial(answer);
-    FAIL() << "no failure";
-  } catch (const LocalizerFailure& failure) {
-    EXPECT_NE(std::string(failure.what()).find("died"), std::string::npos);
-  }
-  EXPECT_THROW(packed_trial([]() -> std::string { throw std::runtime_error("broken"); }),
-               std::runtime_error);
 }
 
 }  // namespace

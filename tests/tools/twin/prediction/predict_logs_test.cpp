@@ -29,14 +29,8 @@ TEST(PredictLogs, WritesATwinForEachLogAndEvaluatesBoth) {
   const std::filesystem::path out = folder.path() / "out";
   const auto localizers = parse_localizers({"mh_amcl", "amcl"});
   const auto predict_with = [&](int workers) {
-    PredictionConfig config = short_prediction();
-    config.evaluation.workers = workers;
-    std::vector<std::string> done;
-    const auto all =
-        predict_logs({(folder.path() / "first").string(), (folder.path() / "second/").string()},
-                     localizers, config, out, [&](const std::string& log) { done.push_back(log); });
-    EXPECT_EQ(done.size(), 2U);
-    return all;
+    return predict_logs({(folder.path() / "first").string(), (folder.path() / "second/").string()},
+                        localizers, short_prediction(), out, run_at_once(workers));
   };
   const std::vector<LogPrediction> all = predict_with(1);
   ASSERT_EQ(all.size(), 2U);
@@ -59,7 +53,6 @@ TEST(PredictLogs, WritesATwinForEachLogAndEvaluatesBoth) {
       EXPECT_EQ(at_once[k].rows[l].twin.tracking_m, all[k].rows[l].twin.tracking_m);
     }
   }
-  EXPECT_FALSE(std::filesystem::exists(out / "0.prediction"));
 }
 
 TEST(PredictLogs, ShowsPlacesWhereLogAndTwinDiffer) {
@@ -80,7 +73,7 @@ TEST(PredictLogs, ShowsPlacesWhereLogAndTwinDiffer) {
   config.evaluation.kidnaps = 0;
   const auto all =
       predict_logs({(folder.path() / "office").string()}, parse_localizers({"mh_amcl"}), config,
-                   folder.path() / "out", [](const std::string&) {});
+                   folder.path() / "out", run_at_once(1));
   ASSERT_EQ(all.size(), 1U);
   ASSERT_EQ(all[0].places.size(), 1U);
   const DifferingPlace& found = all[0].places[0];
@@ -99,7 +92,7 @@ TEST(PredictLogs, NamesLogsOfOneNameAndThoseThatAreMissing) {
   const auto error = [&](const std::vector<std::string>& logs) {
     return error_of([&] {
       predict_logs(logs, parse_localizers({"amcl"}), short_prediction(), folder.path() / "out",
-                   [](const std::string&) {});
+                   run_at_once(1));
     });
   };
   EXPECT_TRUE(contains(error({"/a/hall", "/b/hall/"}),

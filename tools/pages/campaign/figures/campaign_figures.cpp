@@ -98,7 +98,7 @@ class FigureGatherer {
 
 std::vector<CampaignSeries> series_of(const FinishedCampaign& campaign) {
   SeriesFinder finder(campaign.localizers, ValueLabels(campaign.spec));
-  for (const int cell : campaign.rows.cells()) finder.add(campaign.rows.row(cell));
+  for (const int cell : campaign.rows.jobs()) finder.add(campaign.rows.row(cell));
   return finder.series();
 }
 

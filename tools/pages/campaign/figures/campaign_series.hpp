@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/batch/campaign/rows/cell_row.hpp"
+#include "tools/batch/campaign/cell_row.hpp"
 #include "tools/pages/campaign/figures/value_labels.hpp"
 
 namespace castaway::testbed {

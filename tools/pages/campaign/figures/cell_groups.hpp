@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tools/batch/campaign/rows/rows_file.hpp"
+#include "tools/batch/campaign/cell_row.hpp"
 #include "tools/scenario/campaign_yaml.hpp"
 
 namespace castaway::testbed {
@@ -11,7 +11,7 @@ namespace castaway::testbed {
 /// All cells that have a row, in groups with the same sample and the same values of all keys but
 /// `localizers`. Calls `take` with the cells of each, sample after sample.
 template <typename Take>
-void each_cell_group(const CampaignSpec& spec, const RowIndex& rows, Take take);
+void each_cell_group(const CampaignSpec& spec, const CellRows& rows, Take take);
 
 /// Where the key `localizers` stands in the grid.
 struct LocalizerStride {
@@ -22,7 +22,7 @@ struct LocalizerStride {
 LocalizerStride localizer_stride(const CampaignSpec& spec);
 
 template <typename Take>
-void each_cell_group(const CampaignSpec& spec, const RowIndex& rows, Take take) {
+void each_cell_group(const CampaignSpec& spec, const CellRows& rows, Take take) {
   const LocalizerStride stride = localizer_stride(spec);
   for (int s = 0; s < spec.samples(); ++s) {
     for (int k = 0; k < spec.combinations(); ++k) {

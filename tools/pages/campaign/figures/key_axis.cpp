@@ -47,7 +47,7 @@ std::vector<std::string> grid_values(const CampaignSpec& spec, std::size_t key) 
   return values;
 }
 
-std::vector<std::string> drawn_values(const CampaignSpec& spec, RowIndex& rows,
+std::vector<std::string> drawn_values(const CampaignSpec& spec, CellRows& rows,
                                       const std::string& key) {
   std::vector<std::string> values;
   for (int s = 0; s < spec.samples(); ++s) {
@@ -119,7 +119,7 @@ std::optional<std::size_t> KeyAxis::place_of(const CellRow& row) const {
                             : std::optional(static_cast<std::size_t>(at - upper_.begin()));
 }
 
-std::vector<KeyAxis> key_axes(const CampaignSpec& spec, RowIndex& rows) {
+std::vector<KeyAxis> key_axes(const CampaignSpec& spec, CellRows& rows) {
   std::vector<KeyAxis> axes;
   const auto add = [&](KeyAxis axis) {
     if (axis.places().size() > 1) axes.push_back(std::move(axis));

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/batch/campaign/rows/rows_file.hpp"
+#include "tools/batch/campaign/cell_row.hpp"
 #include "tools/pages/campaign/figures/value_labels.hpp"
 #include "tools/scenario/campaign_yaml.hpp"
 
@@ -45,6 +45,6 @@ class KeyAxis {
 
 /// All keys with more than one value other than `localizers`, which the series tell apart. Reads
 /// the drawn values of the first `seeds` rows, as those of the others are the same.
-std::vector<KeyAxis> key_axes(const CampaignSpec& spec, RowIndex& rows);
+std::vector<KeyAxis> key_axes(const CampaignSpec& spec, CellRows& rows);
 
 }  // namespace castaway::testbed

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tools/batch/campaign/rows/cell_row.hpp"
+#include "tools/batch/campaign/cell_row.hpp"
 
 namespace castaway::testbed {
 

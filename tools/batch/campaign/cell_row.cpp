@@ -1,14 +1,12 @@
-#include "tools/batch/campaign/rows/cell_row.hpp"
+#include "tools/batch/campaign/cell_row.hpp"
 
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
-#include <string_view>
 
 #include <nlohmann/json.hpp>
 
-#include "tools/base/bytes/sha256.hpp"
-#include "tools/base/files/json_text.hpp"
+#include "tools/batch/jobs/row_line.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -76,23 +74,6 @@ CellRow row_of(const Json& json) {
   return row;
 }
 
-/// The field of a row that comes last: its check sum over all before it.
-constexpr std::string_view kSum = ",\"sum\":\"";
-constexpr std::size_t kDigits = 16;
-
-std::string with_sum(const std::string& fields) {
-  return fields + std::string(kSum) + sha256(fields).substr(0, kDigits) + "\"}";
-}
-
-/// Throws std::runtime_error if the line is not as it was written.
-void require_sum(const std::string& line) {
-  const std::size_t sum = line.rfind(kSum);
-  if (sum != std::string::npos && with_sum(line.substr(0, sum)) == line) return;
-  throw std::runtime_error(
-      "is no row of a campaign as castaway wrote it; remove the line, and the same command makes "
-      "its cell again");
-}
-
 }  // namespace
 
 std::string to_string(CellOutcome state) {
@@ -132,15 +113,13 @@ std::string row_text(const CellRow& row) {
                   {"cpu_s", row.cpu_s},
                   {"wall_s", row.wall_s},
                   {"memory_mb", row.memory_mb}};
-  std::string text = json_text(json);
-  text.pop_back();  // The brace.
-  return with_sum(text);
+  return row_line(json);
 }
 
 CellRow parse_row(const std::string& line) {
-  require_sum(line);
+  const Json fields = parse_row_line(line);
   try {
-    return row_of(Json::parse(line));
+    return row_of(fields);
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(std::string("is no row of a campaign: ") + error.what());
   }

@@ -1,4 +1,4 @@
-#include "tools/batch/campaign/campaign_folder.hpp"
+#include "tools/batch/jobs/job_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,15 +10,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const CampaignIdentity kIdentity{"1.0", "program", "data", "spec"};
+const JobIdentity kIdentity{"campaign", "1.0", "program", "data", "spec"};
 
-void put_table(CampaignFolder& folder, const std::string& text) {
+void put_table(JobFolder& folder, const std::string& text) {
   folder.put("results.csv", [&](const fs::path& file) { write_file(file, text); });
 }
 
-TEST(CampaignFolder, ReplacesItsOwnTables) {
+TEST(JobFolder, ReplacesItsOwnTables) {
   const TemporaryFolder temporary;
-  CampaignFolder folder(temporary.path() / "c", kIdentity);
+  JobFolder folder(temporary.path() / "c", kIdentity);
   put_table(folder, "one");
   put_table(folder, "two");
   EXPECT_EQ(read_file(folder.path() / "results.csv"), "two");
@@ -27,10 +27,10 @@ TEST(CampaignFolder, ReplacesItsOwnTables) {
   EXPECT_EQ(read_file(folder.path() / "results.csv"), "mine");
 }
 
-TEST(CampaignFolder, WritesThroughNoLink) {
+TEST(JobFolder, WritesThroughNoLink) {
   const TemporaryFolder temporary;
   temporary.put("mine", "mine");
-  CampaignFolder folder(temporary.path() / "c", kIdentity);
+  JobFolder folder(temporary.path() / "c", kIdentity);
   fs::create_symlink("../mine", temporary.path() / "c/results.csv");
   EXPECT_TRUE(contains(error_of([&] { put_table(folder, "one"); }), "castaway did not write it"));
   EXPECT_EQ(read_file(temporary.path() / "mine"), "mine");
@@ -39,9 +39,9 @@ TEST(CampaignFolder, WritesThroughNoLink) {
   EXPECT_TRUE(contains(error_of([&] { put_table(folder, "one"); }), ".castaway.json: is a link"));
 }
 
-TEST(CampaignFolder, RefusesADamagedListInOneLine) {
+TEST(JobFolder, RefusesADamagedListInOneLine) {
   const TemporaryFolder temporary;
-  CampaignFolder folder(temporary.path() / "c", kIdentity);
+  JobFolder folder(temporary.path() / "c", kIdentity);
   for (const char* text : {"[]", "3", R"({"castaway": "1", "files": {"results.csv": 3}})"}) {
     temporary.put("c/.castaway.json", text);
     EXPECT_TRUE(contains(error_of([&] { put_table(folder, "one"); }),
@@ -49,15 +49,15 @@ TEST(CampaignFolder, RefusesADamagedListInOneLine) {
   }
 }
 
-TEST(CampaignFolder, NoticesThatItsSpecificationWasChanged) {
+TEST(JobFolder, NoticesThatItsSpecificationWasChanged) {
   const TemporaryFolder temporary;
   const fs::path place = temporary.path() / "c";
-  static_cast<void>(CampaignFolder(place, kIdentity));
+  static_cast<void>(JobFolder(place, kIdentity));
   temporary.put("c/campaign.yaml", "spec of another");
-  EXPECT_TRUE(contains(error_of([&] { CampaignFolder(place, kIdentity); }),
+  EXPECT_TRUE(contains(error_of([&] { JobFolder(place, kIdentity); }),
                        "campaign.yaml: was changed since castaway wrote it"));
   fs::remove(place / "campaign.yaml");
-  static_cast<void>(CampaignFolder(place, kIdentity));
+  static_cast<void>(JobFolder(place, kIdentity));
   EXPECT_EQ(read_file(place / "campaign.yaml"), "spec");
 }
 

@@ -1,4 +1,4 @@
-#include "tools/batch/campaign/rows/cell_row.hpp"
+#include "tools/batch/campaign/cell_row.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ TEST(CellRow, RefusesOtherLines) {
   for (const std::string& line :
        {std::string(), std::string("{}"), std::string("[1]"), text.substr(0, text.size() - 1),
         std::string("{\"index\": \"x\"}")}) {
-    EXPECT_TRUE(contains(error_of([&] { parse_row(line); }), "no row of a campaign")) << line;
+    EXPECT_TRUE(contains(error_of([&] { parse_row(line); }), "is no row")) << line;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "tools/batch/campaign/campaign_request.hpp"
+#include "tools/batch/jobs/shard.hpp"
 
 #include <charconv>
 #include <stdexcept>
@@ -6,6 +6,8 @@
 
 namespace castaway::testbed {
 namespace {
+
+constexpr int kMostShards = 100000;
 
 int shard_number(std::string_view text) {
   int value = 0;
@@ -15,17 +17,12 @@ int shard_number(std::string_view text) {
 
 }  // namespace
 
-int shard_of(const CampaignSpec& spec, int cell, int shards) {
-  return (spec.until ? cell / spec.samples() : cell) % shards + 1;
-}
-
-void parse_shard(const std::string& text, CampaignRequest& request) {
+Shard parse_shard(const std::string& text) {
   const std::size_t slash = text.find('/');
   const std::string_view all = text;
   if (slash != std::string::npos) {
-    request.shard = shard_number(all.substr(0, slash));
-    request.shards = shard_number(all.substr(slash + 1));
-    if (request.shard >= 1 && request.shard <= request.shards && request.shards <= 100000) return;
+    const Shard shard{shard_number(all.substr(0, slash)), shard_number(all.substr(slash + 1))};
+    if (shard.index >= 1 && shard.index <= shard.count && shard.count <= kMostShards) return shard;
   }
   throw std::invalid_argument("--shard needs I/N, from 1/N to N/N, such as 3/8, not " + text);
 }

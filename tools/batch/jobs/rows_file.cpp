@@ -1,4 +1,4 @@
-#include "tools/batch/campaign/rows/rows_file.hpp"
+#include "tools/batch/jobs/rows_file.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -15,6 +15,7 @@
 #include "tools/base/files/file.hpp"
 #include "tools/base/files/file_error.hpp"
 #include "tools/base/output/listed_path.hpp"
+#include "tools/batch/jobs/row_line.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -50,8 +51,7 @@ RowsFile::RowsFile(fs::path file) : file_(std::move(file)) {
   // Another error: the file system does not support locks.
   if (flock(handle_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     close(handle_);
-    throw std::runtime_error(file_.string() +
-                             ": another castaway works on these cells; wait for it");
+    throw std::runtime_error(file_.string() + ": another castaway works on these; wait for it");
   }
   if (ftruncate(handle_, whole_lines(file_)) != 0) {
     close(handle_);
@@ -61,8 +61,8 @@ RowsFile::RowsFile(fs::path file) : file_(std::move(file)) {
 
 RowsFile::~RowsFile() { close(handle_); }
 
-void RowsFile::add(const CellRow& row) const {
-  const std::string line = row_text(row) + "\n";
+void RowsFile::add(const std::string& row) const {
+  const std::string line = row + "\n";
   std::size_t written = 0;
   while (written < line.size()) {
     const ssize_t count = write(handle_, line.data() + written, line.size() - written);
@@ -72,7 +72,7 @@ void RowsFile::add(const CellRow& row) const {
   }
 }
 
-RowIndex::RowIndex(const fs::path& folder, int cells) : places_(static_cast<std::size_t>(cells)) {
+RowIndex::RowIndex(const fs::path& folder, int jobs) : places_(static_cast<std::size_t>(jobs)) {
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder, none)) {
     const std::string name = entry.path().filename().string();
@@ -97,44 +97,47 @@ void RowIndex::read(std::int32_t file) {
     const auto fail = [&](const std::string& what) {
       throw std::runtime_error(fmt::format("{}:{}: {}", files_[number].string(), k, what));
     };
-    CellRow row;
+    RowHead head;
     try {
-      row = parse_row(line);
+      head = head_of(line);
     } catch (const std::runtime_error& error) {
       fail(error.what());
     }
-    if (row.index < 0 || index(row.index) >= places_.size()) fail("no cell of this campaign");
-    Place& place = places_[index(row.index)];
+    if (head.job < 0 || index(head.job) >= places_.size()) {
+      fail(fmt::format("index {} is of no row here", head.job));
+    }
+    Place& place = places_[index(head.job)];
     if (place.file >= 0 && place.file != file) {
-      fail(fmt::format("cell {} is in {}, too", row.index,
+      fail(fmt::format("index {} is in {}, too", head.job,
                        files_[static_cast<std::size_t>(place.file)].string()));
     }
-    place = {file, row.state == CellOutcome::kFailed, offset};
+    place = {file, head.failed, offset};
     offset += static_cast<std::int64_t>(line.size()) + 1;
   }
   stream.clear();
 }
 
-std::vector<int> RowIndex::cells() const {
-  std::vector<int> cells;
+std::vector<int> RowIndex::jobs() const {
+  std::vector<int> jobs;
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (places_[i].file >= 0) cells.push_back(static_cast<int>(i));
+    if (places_[i].file >= 0) jobs.push_back(static_cast<int>(i));
   }
-  return cells;
+  return jobs;
 }
 
-CellRow RowIndex::row(int cell) {
-  const Place& place = places_[index(cell)];
+std::string RowIndex::line(int job) {
+  const Place& place = places_[index(job)];
   std::ifstream& stream = streams_.at(static_cast<std::size_t>(place.file));
   stream.clear();
   stream.seekg(place.offset);
   std::string line;
   std::getline(stream, line);
-  return parse_row(line);
+  return line;
 }
 
-std::string rows_name(int shard, int shards) {
-  return shards == 1 ? "rows.jsonl" : fmt::format("rows-{}-of-{}.jsonl", shard, shards);
+std::string rows_name(const Shard& shard) {
+  return shard.is_all() ? "rows.jsonl"
+                        : fmt::format("rows-{}-of-{}.jsonl", shard.index, shard.count);
 }
 
 }  // namespace castaway::testbed

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "tools/batch/jobs/rows_file.hpp"
 #include "tools/run/frame.hpp"
 #include "tools/run/metrics/metric_paths.hpp"
 
@@ -55,5 +56,13 @@ std::optional<double> number_of(const std::string& value);
 std::string row_text(const CellRow& row);
 /// The inverse. Throws std::runtime_error if the line is none, or was changed since.
 CellRow parse_row(const std::string& line);
+
+/// Where the rows of a campaign are.
+class CellRows : public RowIndex {
+ public:
+  using RowIndex::RowIndex;
+  /// Reads the row of a cell that has one.
+  [[nodiscard]] CellRow row(int cell) { return parse_row(line(cell)); }
+};
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-/// The folder of a campaign.
+/// The folder of a batch of jobs.
 #pragma once
 
 #include <filesystem>
@@ -7,37 +7,42 @@
 
 namespace castaway::testbed {
 
-/// What a campaign is made from. It never changes within one folder.
-struct CampaignIdentity {
+/// What a batch is made from. It never changes within one folder.
+struct JobIdentity {
+  std::string kind;     ///< "campaign", "evaluation": names its files.
   std::string version;  ///< Version of the program.
   std::string program;  ///< Its hash.
   std::string data;     ///< Hash of the worlds, robots and logs that it reads.
-  std::string spec;     ///< `CampaignSpec::effective`
+  std::string spec;     ///< What is asked for, as YAML.
 };
 
-/// The folder:
+/// The identity of a batch of this program.
+JobIdentity identity_of_this_program(std::string kind, std::string data, std::string spec);
+
+/// The folder of a campaign:
 ///
 ///     campaign.json, campaign.yaml       the identity
-///     rows.jsonl, rows-2-of-8.jsonl      a line for each cell: RowsFile
-///     cells/000042-0123456789abcdef/     what is kept of a cell
+///     rows.jsonl, rows-2-of-8.jsonl      a line for each job: RowsFile
 ///     .work-rows.jsonl/                  drafts of the process that adds to rows.jsonl
-///     results.csv, ...                   tables, once all cells are there
+///     results.csv, ...                   tables, once all rows are there
 ///     .castaway.json                     the list of the identity and the tables
-class CampaignFolder {
+class JobFolder {
  public:
   /// Creates the folder or goes on in it. Throws std::runtime_error with one line if it holds other
-  /// files, or a campaign of another identity; FileError where nothing can be written.
-  CampaignFolder(std::filesystem::path folder, const CampaignIdentity& identity);
-  /// Opens the folder of a campaign, whatever made it. Throws std::runtime_error if it is none.
-  explicit CampaignFolder(std::filesystem::path folder);
+  /// files, or a batch of another identity; FileError where nothing can be written.
+  JobFolder(std::filesystem::path folder, const JobIdentity& identity);
 
   [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
   /// Writes a table; `write` is called with the path of a draft. Throws as `put_own_file` does.
   void put(const std::string& name,
            const std::function<void(const std::filesystem::path& draft)>& write) const;
+  void put(const std::string& name, const std::string& text) const;
 
  private:
   std::filesystem::path folder_;
 };
+
+/// Throws std::runtime_error if `folder` is not the folder of a batch of this kind.
+void require_job_folder(const std::filesystem::path& folder, const std::string& kind);
 
 }  // namespace castaway::testbed
