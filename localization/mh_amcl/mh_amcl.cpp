@@ -1,5 +1,6 @@
 #include "localization/mh_amcl/mh_amcl.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -9,7 +10,6 @@
 #include "localization/hypotheses/destroy.hpp"
 #include "localization/hypotheses/merge.hpp"
 #include "localization/mh_amcl/ground_motion.hpp"
-#include "localization/mh_amcl/ground_output.hpp"
 #include "localization/mh_amcl/output.hpp"
 
 namespace castaway::localization {
@@ -34,7 +34,7 @@ void rescue_output(const ScanTurn& scan, Belief& belief, ScheduledSearch& search
 
 SensorInputConfig input_of(const MhAmclModels& models) {
   SensorInputConfig input = models.config.input;
-  input.layers = models.volume != nullptr;
+  input.layers = has_heights(models.ground);
   return input;
 }
 
@@ -105,7 +105,7 @@ MhAmcl::MhAmcl(std::shared_ptr<const MhAmclModels> models, std::uint64_t seed, S
 
 void MhAmcl::initialize(const std::optional<PoseWithCovariance>& start) {
   if (start) validate(*start);
-  belief_.start(start && models_->volume ? in_atlas(*models_->volume, *start) : start);
+  belief_.start(start ? std::optional(on_ground(models_->ground, *start)) : std::nullopt);
   searches_.start();
   blindness_.start();
   estimate_.reset();
@@ -131,56 +131,59 @@ void MhAmcl::on_scan(const LaserScan& scan) {
   estimate_ = estimate_of(belief_.populations, belief_.shares(), belief_.lost_and_found.is_lost(),
                           scan.stamp, input_.T_now_base(scan.stamp));
   if (estimate_) admit(blindness_.unmoved(), models_->config.lost_and_found, *estimate_);
-  if (models_->volume) to_map(*models_->volume, estimate_);
+  to_map(models_->ground, estimate_);
 }
 
 void MhAmcl::predict(const std::optional<SE2>& step) {
   if (!step) return;
-  const OdometryNoiseConfig& noise = models_->config.motion;
-  std::vector<Hypothesis>& all = belief_.populations.all;
   timer_.measure("predict", [&] {
-    if (models_->volume) {
-      predict_on_ground(*models_->volume, *step, noise, all);
-    } else {
-      const OdometryMotion motion(*step, noise);
-      predict_all(all, *step, motion);
-      for (Hypothesis& h : all) localization::predict(h.mixture, *step, motion.covariance());
-    }
+    predict_on_ground(models_->ground, *step, models_->config.motion, belief_.populations.all);
   });
 }
 
-void MhAmcl::correct(Hypothesis& hypothesis, const ScanPoints& points) {
-  const SE2 predicted = hypothesis.moments().mean;
-  models_->filter.correct(hypothesis, models_->distance_filter.expected(points, predicted));
-}
-
-/// Processes one scan in the phases of the paper: correct, merge, create, destroy, select, reseed.
+/// Takes a scan through the phases of the paper, each measured under a name.
 void MhAmcl::take_scan(const ScanTurn& scan) {
-  Populations& populations = belief_.populations;
+  struct Stage {
+    const char* name;
+    void (MhAmcl::*run)(const ScanTurn& scan);
+  };
+  constexpr std::array<Stage, 7> kStages{{{"correct", &MhAmcl::correct},
+                                          {"manage", &MhAmcl::merge_alike},
+                                          {"match", &MhAmcl::watch},
+                                          {"manage", &MhAmcl::select},
+                                          {"match", &MhAmcl::create},
+                                          {"manage", &MhAmcl::destroy_unlikely},
+                                          {"reseed", &MhAmcl::reseed}}};
   searches_.budget.earn(scan.now);
-  timer_.measure("correct", [&] {
-    for (Hypothesis& hypothesis : populations.all) correct(hypothesis, scan.points);
-    rescue_output(scan, belief_, searches_.scheduled);
-    belief_.posterior.weigh(scan.points, scan.T_odom_base, populations.output_id, populations.all,
-                            scan.periods);
-  });
-  timer_.measure("manage", [&] { merge(models_->config.merge, populations); });
-  timer_.measure("match", [&] { watch(scan); });
-  timer_.measure("manage", [&] { select_output(belief_, searches_.scheduled); });
-  if (searches_.scheduled.is_due({scan.now, scan.T_odom_base, populations.output_id,
-                                  belief_.is_confident(),
-                                  is_hopeless(models_->config.posterior.null, populations.all)})) {
-    timer_.measure("match", [&] { create(scan); });
+  for (const auto& [name, run] : kStages) {
+    timer_.measure(name, [&, stage = run] { (this->*stage)(scan); });
   }
-  timer_.measure("manage", [&] {
-    destroy(models_->config.destroy, belief_.is_confident(), populations.all);
-    if (populations.output() == nullptr) select_output(belief_, searches_.scheduled);
-    belief_.learn();
-  });
+}
+
+void MhAmcl::correct(const ScanTurn& scan) {
+  Populations& populations = belief_.populations;
+  for (Hypothesis& hypothesis : populations.all) {
+    const SE2 predicted = hypothesis.moments().mean;
+    models_->filter.correct(hypothesis, models_->distance_filter.expected(scan.points, predicted));
+  }
+  rescue_output(scan, belief_, searches_.scheduled);
+  belief_.posterior.weigh(scan.points, scan.T_odom_base, populations.output_id, populations.all,
+                          scan.periods);
+}
+
+void MhAmcl::merge_alike(const ScanTurn&) { merge(models_->config.merge, belief_.populations); }
+
+void MhAmcl::select(const ScanTurn&) { select_output(belief_, searches_.scheduled); }
+
+void MhAmcl::destroy_unlikely(const ScanTurn&) {
+  destroy(models_->config.destroy, belief_.is_confident(), belief_.populations.all);
+  if (belief_.populations.output() == nullptr) select_output(belief_, searches_.scheduled);
+  belief_.learn();
+}
+
+void MhAmcl::reseed(const ScanTurn& scan) {
   if (!scan.reseeds) return;
-  timer_.measure("reseed", [&] {
-    for (Hypothesis& hypothesis : populations.all) models_->filter.reseed(hypothesis);
-  });
+  for (Hypothesis& hypothesis : belief_.populations.all) models_->filter.reseed(hypothesis);
 }
 
 /// While the output is confident, looks for places elsewhere that fit as well, before an alarm is
@@ -197,9 +200,15 @@ void MhAmcl::watch(const ScanTurn& scan) {
   if (found) searches_.watch.end(take_watched(*found, scan.points, belief_, searches_.scheduled));
 }
 
-/// Continues the search of the map; once it is complete, creates populations where the scan fits.
+/// Continues the search of the map where it is due; once it is complete, creates populations where
+/// the scan fits.
 void MhAmcl::create(const ScanTurn& scan) {
   std::vector<Hypothesis>& hypotheses = belief_.populations.all;
+  if (!searches_.scheduled.is_due({scan.now, scan.T_odom_base, belief_.populations.output_id,
+                                   belief_.is_confident(),
+                                   is_hopeless(models_->config.posterior.null, hypotheses)})) {
+    return;
+  }
   const int before = belief_.populations.output_id;
   const auto found = searches_.scheduled.step(models_->context, scan, searches_.budget);
   if (!found) return;
@@ -219,7 +228,7 @@ void MhAmcl::create(const ScanTurn& scan) {
 Diagnostics MhAmcl::diagnostics() const {
   Diagnostics diagnostics =
       diagnostics_of(belief_.populations, belief_.shares(), input_.intake(), timer_);
-  if (models_->volume) to_map(*models_->volume, diagnostics);
+  to_map(models_->ground, diagnostics);
   return diagnostics;
 }
 

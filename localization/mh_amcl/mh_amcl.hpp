@@ -40,10 +40,15 @@ class MhAmcl final : public Localizer {
 
  private:
   void predict(const std::optional<SE2>& step);
-  void correct(Hypothesis& hypothesis, const ScanPoints& points);
   void take_scan(const ScanTurn& scan);
+  // Its stages.
+  void correct(const ScanTurn& scan);
+  void merge_alike(const ScanTurn& scan);
   void watch(const ScanTurn& scan);
+  void select(const ScanTurn& scan);
   void create(const ScanTurn& scan);
+  void destroy_unlikely(const ScanTurn& scan);
+  void reseed(const ScanTurn& scan);
 
   /// Shared: the models of a large map take longer to build than a short run takes, and none of
   /// the localizers that use them outlives the others by design.

@@ -16,6 +16,10 @@ PlanarMap planar_map(const MhAmclConfig& config, OccupancyGrid grid) {
   return {std::move(grid), {hollowed, config.max_distance}};
 }
 
+const PlanarMap& planar_of(const Ground& ground) { return std::get<PlanarMap>(ground); }
+
+const Volume& volume_of(const Ground& ground) { return *std::get<SpaceMap>(ground).volume; }
+
 /// Cells of a map, if poses are refined on them.
 std::optional<NdtMap> ndt_map_of(const MhAmclConfig& config, const OccupancyGrid& grid) {
   if (config.refine_by == RefineMethod::kClimb) return std::nullopt;
@@ -63,15 +67,16 @@ const MhAmclConfig& validate_on_plane(const MhAmclConfig& config) {
 
 MhAmclModels::MhAmclModels(const MhAmclConfig& mh_amcl, OccupancyGrid grid)
     : config(validate_on_plane(mh_amcl)),
-      planar(planar_map(config, std::move(grid))),
-      ndt_map(ndt_map_of(config, planar->grid)),
+      ground(planar_map(config, std::move(grid))),
+      ndt_map(ndt_map_of(config, planar_of(ground).grid)),
       ndt(refinement(config, ndt_map, nullptr)),
-      endpoint(config.refinement, planar->distances),
-      evidence(config.evidence, planar->grid, planar->distances),
+      endpoint(config.refinement, planar_of(ground).distances),
+      evidence(config.evidence, planar_of(ground).grid, planar_of(ground).distances),
       distance_filter(config.distance_filter, evidence.world()),
-      matcher(std::make_unique<CascadeMatcher>(config.matcher, planar->grid, planar->distances)),
-      filter({config.tracking, planar->distances}, config.reseed, config.refine, config.mixture,
-             registration(config, config.tracking, ndt_map, nullptr)),
+      matcher(std::make_unique<CascadeMatcher>(config.matcher, planar_of(ground).grid,
+                                               planar_of(ground).distances)),
+      filter({config.tracking, planar_of(ground).distances}, config.reseed, config.refine,
+             config.mixture, registration(config, config.tracking, ndt_map, nullptr)),
       rescue(config.rescue, *matcher),
       context{config.create, config.merge, config.posterior, config.motion,
               endpoint,      evidence,     nullptr,          ndt ? &*ndt : nullptr} {}
@@ -79,18 +84,18 @@ MhAmclModels::MhAmclModels(const MhAmclConfig& mh_amcl, OccupancyGrid grid)
 MhAmclModels::MhAmclModels(const MhAmclConfig& mh_amcl,
                            std::shared_ptr<const Volume> ground_and_surfaces)
     : config((validate(mh_amcl), mh_amcl)),
-      volume(std::move(ground_and_surfaces)),
-      ndt_map(ndt_map_of(config, volume->voxels())),
-      ndt(refinement(config, ndt_map, volume.get())),
-      endpoint(config.refinement, *volume),
-      evidence(config.evidence, *volume),
+      ground(SpaceMap{std::move(ground_and_surfaces)}),
+      ndt_map(ndt_map_of(config, volume_of(ground).voxels())),
+      ndt(refinement(config, ndt_map, &volume_of(ground))),
+      endpoint(config.refinement, volume_of(ground)),
+      evidence(config.evidence, volume_of(ground)),
       distance_filter(config.distance_filter, evidence.world()),
-      matcher(std::make_unique<StackMatcher>(config.matcher, *volume)),
-      filter({config.tracking, *volume}, config.reseed, config.refine, config.mixture,
-             registration(config, config.tracking, ndt_map, volume.get()),
-             along_beams(config, *volume)),
+      matcher(std::make_unique<StackMatcher>(config.matcher, volume_of(ground))),
+      filter({config.tracking, volume_of(ground)}, config.reseed, config.refine, config.mixture,
+             registration(config, config.tracking, ndt_map, &volume_of(ground)),
+             along_beams(config, volume_of(ground))),
       rescue(config.rescue, *matcher),
-      context{config.create, config.merge, config.posterior, config.motion,
-              endpoint,      evidence,     volume.get(),     ndt ? &*ndt : nullptr} {}
+      context{config.create, config.merge, config.posterior,   config.motion,
+              endpoint,      evidence,     &volume_of(ground), ndt ? &*ndt : nullptr} {}
 
 }  // namespace castaway::localization

@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 
-#include "localization/map/distance_field.hpp"
 #include "localization/matching/place_matcher.hpp"
 #include "localization/mh_amcl/mh_amcl_config.hpp"
 #include "localization/mh_amcl/tracking_filter.hpp"
@@ -12,15 +11,9 @@
 #include "localization/search/rescue.hpp"
 #include "localization/sensor/distance_filter.hpp"
 #include "localization/sensor/evidence_model.hpp"
-#include "localization/space/volume/volume.hpp"
+#include "localization/space/ground/ground.hpp"
 
 namespace castaway::localization {
-
-/// A planar map.
-struct PlanarMap {
-  OccupancyGrid grid;
-  DistanceField distances;  ///< To the surfaces of obstacles.
-};
 
 /// Conditioned once, used for every scan. Not copyable, since the models refer to the map and to
 /// each other.
@@ -32,10 +25,9 @@ struct MhAmclModels {
   MhAmclModels(const MhAmclModels&) = delete;
 
   MhAmclConfig config;
-  std::optional<PlanarMap> planar;       ///< None: a 3-D map.
-  std::shared_ptr<const Volume> volume;  ///< Null: a planar map.
-  std::optional<NdtMap> ndt_map;         ///< None: `RefineMethod::kClimb`.
-  std::optional<NdtRefinement> ndt;      ///< On `ndt_map`.
+  Ground ground;
+  std::optional<NdtMap> ndt_map;     ///< None: `RefineMethod::kClimb`.
+  std::optional<NdtRefinement> ndt;  ///< On `ndt_map`.
   EndpointModel endpoint;
   EvidenceModel evidence;
   DistanceFilter distance_filter;

@@ -19,7 +19,7 @@ class BeliefTest : public testing::Test {
   const SE2 here_{3.0, 3.0, 0.4};
   const SE2 elsewhere_{8.0, 6.5, 2.0};
   MhAmclModels models_{{}, test::office()};
-  ScanPoints points_ = test::points_from(models_.planar->grid, here_);
+  ScanPoints points_ = test::points_from(std::get<PlanarMap>(models_.ground).grid, here_);
   Belief belief_{models_, 1};
 };
 

@@ -18,8 +18,8 @@ TEST(MhAmclModels, UseTheSettingsAndTheMapTheyHold) {
   config.tracking = {0.08, 0.05, 20.0};
   const OccupancyGrid grid = test::office();
   const MhAmclModels models(config, grid);
-  EXPECT_EQ(models.planar->distances.max_distance(), 3.0);
-  EXPECT_EQ(models.planar->grid.cells, grid.cells);
+  EXPECT_EQ(std::get<PlanarMap>(models.ground).distances.max_distance(), 3.0);
+  EXPECT_EQ(std::get<PlanarMap>(models.ground).grid.cells, grid.cells);
   EXPECT_EQ(&models.context.config, &models.config.create);
   EXPECT_EQ(&models.context.noise, &models.config.motion);
   EXPECT_EQ(&models.context.evidence, &models.evidence);
@@ -46,9 +46,9 @@ TEST(MhAmclModels, MeasureDistancesToTheSurfacesOfSolidObstacles) {
   OccupancyGrid grid = test::office();
   test::fill(grid, 2.0, 2.0, 4.0, 4.0, CellState::kOccupied);
   const MhAmclModels models({}, grid);
-  EXPECT_EQ(models.planar->distances.at({2.05, 3.0}), 0.0);
-  EXPECT_NEAR(models.planar->distances.at({3.0, 3.0}), 0.9, 0.06);
-  EXPECT_EQ(models.planar->grid.cells, grid.cells);
+  EXPECT_EQ(std::get<PlanarMap>(models.ground).distances.at({2.05, 3.0}), 0.0);
+  EXPECT_NEAR(std::get<PlanarMap>(models.ground).distances.at({3.0, 3.0}), 0.9, 0.06);
+  EXPECT_EQ(std::get<PlanarMap>(models.ground).grid.cells, grid.cells);
 }
 
 TEST(MhAmclModels, CannotBeCopied) { EXPECT_FALSE(std::is_copy_constructible_v<MhAmclModels>); }

@@ -33,7 +33,7 @@ FoundPlace PlaceFinder::refine(const localization::ScanPoints& points,
 double PlaceFinder::blocked_share(const localization::ScanPoints& points,
                                   const SE2& T_map_base) const {
   if (points.empty()) return 0.0;
-  const localization::OccupancyGrid& grid = models_.planar->grid;
+  const localization::OccupancyGrid& grid = std::get<localization::PlanarMap>(models_.ground).grid;
   const double resolution = grid.frame.resolution;
   const SE2 T_grid_base = grid.frame.T_map_grid.inverse() * T_map_base;
   int blocked = 0;

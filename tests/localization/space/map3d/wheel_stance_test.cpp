@@ -11,9 +11,9 @@
 namespace castaway::localization {
 namespace {
 
-using Ground = std::function<double(const Eigen::Vector2d&)>;
+using HeightOf = std::function<double(const Eigen::Vector2d&)>;
 
-StandingPlane rest_on(const WheelStance& wheels, const Ground& ground) {
+StandingPlane rest_on(const WheelStance& wheels, const HeightOf& ground) {
   std::vector<double> heights;
   for (const Eigen::Vector2d& p : wheels.contacts()) {
     heights.push_back(ground(p) - ground({0.0, 0.0}));
@@ -30,7 +30,7 @@ WheelStance four_wheels(const Eigen::Vector3d& p_base_com) {
 }
 
 TEST(WheelStance, OnAPlaneItStandsAsThePlaneLies) {
-  const Ground slope = [](const auto& p) { return 3.0 + 0.2 * p.x() - 0.1 * p.y(); };
+  const HeightOf slope = [](const auto& p) { return 3.0 + 0.2 * p.x() - 0.1 * p.y(); };
   const WheelStance tricycle({{0.0, 0.1}, {0.0, -0.1}, {-0.1, 0.0}}, {-0.02, 0.0, 0.1});
   for (const WheelStance& wheels :
        {WheelStance(), four_wheels({0.0, 0.0, 0.15}), four_wheels({0.1, 0.05, 0.3}), tricycle}) {
@@ -42,7 +42,9 @@ TEST(WheelStance, OnAPlaneItStandsAsThePlaneLies) {
 }
 
 TEST(WheelStance, OfFourWheelsTheOneAwayFromTheLoadIsInTheAir) {
-  const Ground twisted = [](const auto& p) { return p.x() * p.y() / 6.0; };  // 5 mm at each wheel.
+  const HeightOf twisted = [](const auto& p) {
+    return p.x() * p.y() / 6.0;
+  };  // 5 mm at each wheel.
   const StandingPlane forward = rest_on(four_wheels({0.03, 0.0, 0.1}), twisted);
   EXPECT_NEAR(forward.z, 0.005, 1e-12);
   EXPECT_NEAR(forward.along, -0.005 / 0.15, 1e-12);
@@ -84,14 +86,14 @@ TEST(WheelStance, NoWheelIsInTheGroundAndThreeTouchIt) {
 }
 
 TEST(WheelStance, ALoadThatNoWheelsCarryRestsOnTheNearest) {
-  const Ground twisted = [](const auto& p) { return p.x() * p.y() / 6.0; };
+  const HeightOf twisted = [](const auto& p) { return p.x() * p.y() / 6.0; };
   const StandingPlane plane = rest_on(four_wheels({0.3, 0.0, 0.1}), twisted);
   EXPECT_NEAR(plane.along, -0.005 / 0.15, 1e-12);
 }
 
 TEST(WheelStance, WheelsOnALineAreAsIfUnknown) {
   const WheelStance wheels({{0.0, 0.1}, {0.0, -0.1}, {0.0, 0.0}}, {0.0, 0.0, 0.1});
-  const Ground bump = [](const auto& p) { return p.norm() < 0.1 ? 0.02 : 0.1 * p.x(); };
+  const HeightOf bump = [](const auto& p) { return p.norm() < 0.1 ? 0.02 : 0.1 * p.x(); };
   const StandingPlane plane = rest_on(wheels, bump);
   EXPECT_EQ(wheels.contacts().size(), 4U);
   EXPECT_NEAR(plane.along, 0.1, 1e-12);
