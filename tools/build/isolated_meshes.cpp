@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,16 +10,17 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "sim/world/mesh_file.hpp"
 #include "tools/base/output/any_error.hpp"
+#include "tools/base/process/fork_child.hpp"
 #include "tools/build/mesh_bytes.hpp"
 
 namespace castaway::testbed {
@@ -78,10 +78,9 @@ MeshAnswer answer_of(const std::string& path, const sim::MeshReader& read) {
 }
 
 /// Body of the child process.
-[[noreturn]] void answer(int to, pid_t parent, const std::string& path, const sim::MeshReader& read,
-                         const MeshLimits& limits) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(1);
+int answer(int to, pid_t parent, const std::string& path, const sim::MeshReader& read,
+           const MeshLimits& limits) {
+  die_with(parent);
   forget_handlers();
   silence();
   const auto seconds = std::chrono::ceil<std::chrono::seconds>(limits.time).count();
@@ -90,28 +89,19 @@ MeshAnswer answer_of(const std::string& path, const sim::MeshReader& read) {
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, 0);
   send(to, to_bytes(answer_of(path, read)));
-  _exit(0);
+  return 0;
 }
 
 /// A child process and the pipe of its answer; the destructor ends it.
 class Child {
  public:
   Child(const std::string& path, const sim::MeshReader& read, const MeshLimits& limits) {
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) fail("no pipe", errno);
-    std::fflush(nullptr);
     const pid_t parent = getpid();
-    process_ = fork();
-    if (process_ == 0) {
-      close(ends[0]);
-      answer(ends[1], parent, path, read, limits);
-    }
-    close(ends[1]);
-    from_ = ends[0];
-    if (process_ > 0) return;
-    const int error = errno;
-    close(from_);
-    fail("no process", error);
+    const ForkedChild child = fork_child("a process to read a mesh with", [&](int to) {
+      return answer(to, parent, path, read, limits);
+    });
+    process_ = child.process;
+    from_ = child.line;
   }
   ~Child() {
     close(from_);
@@ -146,19 +136,9 @@ class Child {
   }
 
   /// Waits for the child and returns its exit status.
-  int wait() {
-    int status = 0;
-    while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-    }
-    process_ = -1;
-    return status;
-  }
+  int wait() { return wait_for(std::exchange(process_, -1)); }
 
  private:
-  [[noreturn]] static void fail(const char* what, int error) {
-    throw std::runtime_error(fmt::format("{} to read a mesh with: {}", what, std::strerror(error)));
-  }
-
   pid_t process_ = -1;
   int from_ = -1;
 };

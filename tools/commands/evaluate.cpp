@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -143,18 +144,25 @@ nlohmann::ordered_json evaluate_all(const Asked& asked, KeptTrials* kept) {
   EvaluationConfig config = arguments.config;
   config.run = kept != nullptr ? kept->runner() : run_at_once(arguments.batch.request.workers);
   auto rows = nlohmann::ordered_json::array();
+  bool headed = arguments.json || is_narrow();
+  const auto print_head = [&headed] {
+    if (!std::exchange(headed, true)) print_line(kHead);
+  };
   for (const std::string& folder : arguments.folders) {
     const RecordedPlace place = load_recorded_place(folder, asked.maps);
     for (const std::string& warning : place.warnings) print_warning(warning);
     require_truth(place.name, place.frames);
     for (const LocalizerSpec& spec : asked.specs) {
       std::optional<TrialCount> count;
-      if (kept == nullptr) count.emplace(asked.trials_each());
+      if (kept == nullptr) {
+        print_head();
+        count.emplace(asked.trials_each());
+      }
       const EvaluationRow row = evaluate(place, spec, config, [&count] {
         if (count) count->next();
       });
       if (kept != nullptr && !kept->has_all()) continue;
-      if (!arguments.json && rows.empty() && !is_narrow()) print_line(kHead);
+      print_head();
       if (!arguments.json) print_row(row);
       rows.push_back(to_json(row));
     }

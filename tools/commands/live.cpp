@@ -16,6 +16,7 @@
 #include "tools/base/output/file_name.hpp"
 #include "tools/base/output/interruption.hpp"
 #include "tools/base/output/say.hpp"
+#include "tools/base/process/fork_child.hpp"
 #include "tools/commands/arguments/localizer_arguments.hpp"
 #include "tools/commands/arguments/recording_arguments.hpp"
 #include "tools/commands/arguments/ros2_arguments.hpp"
@@ -157,22 +158,14 @@ void play_for_report(const LoadedScenario& loaded, const std::filesystem::path& 
 
 /// Starts the process of the run. Returns the line to it.
 int start_player(const LiveSetup& setup) {
-  std::array<int, 2> ends{};  // Ours, the run's.
-  if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) {
-    throw std::runtime_error("cannot start the run: no socket");
-  }
-  std::fflush(nullptr);  // Buffered output would be written twice.
-  const pid_t process = fork();
-  if (process < 0) throw std::runtime_error("cannot start the run: no process");
-  if (process == 0) {
-    close(ends[0]);
-    begin_as_worker();
-    std::signal(SIGINT, SIG_IGN);  // Its line is cut when the server ends.
-    play_live(setup, ends[1]);
-    _exit(0);
-  }
-  close(ends[1]);
-  return ends[0];
+  return fork_child("the run",
+                    [&](int line) {
+                      begin_as_worker();
+                      std::signal(SIGINT, SIG_IGN);  // Its line is cut when the server ends.
+                      play_live(setup, line);
+                      return 0;
+                    })
+      .line;
 }
 
 /// Waits until the run has something to say. False: it has ended instead, and has said why.

@@ -1,22 +1,20 @@
 #include "tools/base/process/worker_process.hpp"
 
-#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
-#include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "tools/base/output/any_error.hpp"
 #include "tools/base/output/interruption.hpp"
+#include "tools/base/process/fork_child.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -73,43 +71,25 @@ void serve_jobs(int file, const Work& work) {
   }
 }
 
-[[noreturn]] void fail_to_start() {
-  throw std::runtime_error(std::string("cannot start a process: ") + std::strerror(errno) +
-                           "; use fewer workers (-j)");
-}
-
-[[noreturn]] void be_worker(pid_t parent, int file, const Work& work) {
+int be_worker(pid_t parent, int file, const Work& work) {
   begin_as_worker();
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(1);  // The parent ended before PR_SET_PDEATHSIG took effect.
-  int code = 0;
+  die_with(parent);
   try {
     serve_jobs(file, work);
   } catch (const Interrupted& interrupted) {
-    code = exit_code_of(interrupted);
+    return exit_code_of(interrupted);
   }
-  std::fflush(nullptr);
-  _exit(code);
+  return 0;
 }
 
 }  // namespace
 
 WorkerProcess::WorkerProcess(const Work& work) {
-  std::array<int, 2> ends{};  // Ours, the worker's.
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail_to_start();
-  std::fflush(nullptr);  // Buffered output would be written twice.
   const pid_t parent = getpid();
-  process_ = fork();
-  if (process_ == 0) {
-    close(ends[0]);
-    be_worker(parent, ends[1], work);
-  }
-  close(ends[1]);
-  if (process_ < 0) {
-    close(ends[0]);
-    fail_to_start();
-  }
-  file_ = ends[0];
+  const ForkedChild child = fork_child("a worker; use fewer (-j)",
+                                       [&](int file) { return be_worker(parent, file, work); });
+  process_ = child.process;
+  file_ = child.line;
 }
 
 WorkerProcess::~WorkerProcess() {
@@ -136,10 +116,7 @@ void WorkerProcess::signal(int number) const { kill(process_, number); }
 std::string WorkerProcess::end() {
   shutdown(file_, SHUT_RDWR);  // Workers that were forked later hold this end, too.
   close(file_);
-  int status = 0;
-  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-  }
-  process_ = -1;
+  const int status = wait_for(std::exchange(process_, -1));
   if (!WIFSIGNALED(status)) return fmt::format("its process ended with {}", WEXITSTATUS(status));
   return fmt::format("its process was killed by signal {} ({})", WTERMSIG(status),
                      strsignal(WTERMSIG(status)));

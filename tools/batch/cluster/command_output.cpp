@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,7 +12,7 @@
 
 #include <fmt/format.h>
 
-extern char** environ;
+#include "tools/base/process/fork_child.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -45,24 +44,6 @@ class OwnPipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
-pid_t spawn(const std::vector<std::string>& words, int out, int err) {
-  std::vector<std::string> copies = words;
-  std::vector<char*> arguments;
-  for (std::string& word : copies) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, err, STDERR_FILENO);
-  pid_t child = -1;
-  const int error =
-      posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error == 0) return child;
-  throw std::runtime_error(fmt::format("cannot run {}: {}", words.front(), std::strerror(error)));
-}
-
 /// Adds what can be read; false at the end of the file.
 bool take_some(int handle, std::string& text) {
   std::array<char, 4096> buffer{};
@@ -88,14 +69,14 @@ void read_both(int out, int err, CommandOutput& result) {
 CommandOutput run_command(const std::vector<std::string>& words) {
   OwnPipe out;
   OwnPipe err;
-  const pid_t child = spawn(words, out.writer(), err.writer());
+  const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  const pid_t child = spawn_program(words, nothing, out.writer(), err.writer());
+  close(nothing);
   out.close_writer();
   err.close_writer();
   CommandOutput result;
   read_both(out.reader(), err.reader(), result);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = wait_for(child);
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return result;
 }

@@ -1,11 +1,8 @@
 #include "tools/live/bridge/bridge_process.hpp"
 
-#include <sys/socket.h>
 #include <unistd.h>
 
-#include <array>
 #include <csignal>
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -13,7 +10,7 @@
 
 #include "tools/base/output/any_error.hpp"
 #include "tools/base/output/say.hpp"
-#include "tools/base/process/worker_process.hpp"
+#include "tools/base/process/fork_child.hpp"
 #include "tools/build/ros2/build_ros2.hpp"
 #include "tools/live/lines/pipes.hpp"
 
@@ -42,23 +39,14 @@ void be_bridge(const BridgeConfig& config, int socket) {
 }  // namespace
 
 std::shared_ptr<BridgeLink> start_bridge(const BridgeConfig& config) {
-  std::array<int, 2> ends{};  // Ours, the bridge's.
-  if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) {
-    throw std::runtime_error("cannot start the bridge to ROS 2: no socket");
-  }
-  std::fflush(nullptr);  // Buffered output would be written twice.
-  const pid_t process = fork();
-  if (process < 0) throw std::runtime_error("cannot start the bridge to ROS 2: no process");
-  if (process == 0) {
-    close(ends[0]);
-    std::signal(SIGINT, SIG_IGN);  // Its line is cut when the run ends.
-    be_bridge(config, ends[1]);
-    _exit(0);
-  }
-  close(ends[1]);
-  const std::string answer = read_line(ends[0]);
-  if (answer == kReady) return std::make_shared<BridgeLink>(ends[0]);
-  close(ends[0]);
+  const int line = fork_child("the bridge to ROS 2", [&](int socket) {
+                     std::signal(SIGINT, SIG_IGN);  // Its line is cut when the run ends.
+                     be_bridge(config, socket);
+                     return 0;
+                   }).line;
+  const std::string answer = read_line(line);
+  if (answer == kReady) return std::make_shared<BridgeLink>(line);
+  close(line);
   throw std::runtime_error("--ros2: " + (answer.empty() ? "the bridge broke off" : answer));
 }
 

@@ -1,18 +1,18 @@
 #include "tools/outputs/pictures/ffmpeg_pipe.hpp"
 
-#include <spawn.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "tools/base/output/own_file.hpp"
+#include "tools/base/process/fork_child.hpp"
 
 extern char** environ;  // No POSIX header declares it.
 
@@ -47,22 +47,6 @@ std::vector<std::string> command(const FilmFormat& format, const std::string& ou
   words.insert(words.end(), coding.begin(), coding.end());
   words.push_back(out);
   return words;
-}
-
-/// Starts a program with these files as standard input and standard error; -1 on failure.
-pid_t spawn(std::vector<std::string> words, int input, int errors) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  pid_t child = -1;
-  const int error =
-      posix_spawnp(&child, words[0].c_str(), &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  return error == 0 ? child : -1;
 }
 
 }  // namespace
@@ -110,14 +94,16 @@ void FfmpegPipe::start() {
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     throw std::runtime_error("cannot create a socket to ffmpeg");
   }
-  ffmpeg_ = spawn(command(format_, partial_.string()), ends[1], fileno(words_));
-  ::close(ends[1]);
-  socket_ = ends[0];
-  if (ffmpeg_ > 0) return;
-  ::close(socket_);
-  throw std::runtime_error(format_.file.string() +
-                           ": a film needs ffmpeg, which cannot be started; install it "
-                           "(apt-get install ffmpeg) or leave --video away");
+  try {
+    ffmpeg_ = spawn_program(command(format_, partial_.string()), ends[1], -1, fileno(words_));
+    socket_ = ends[0];
+    ::close(ends[1]);
+  } catch (const std::runtime_error&) {
+    for (const int end : ends) ::close(end);
+    throw std::runtime_error(format_.file.string() +
+                             ": a film needs ffmpeg, which cannot be started; install it "
+                             "(apt-get install ffmpeg) or leave --video away");
+  }
 }
 
 FfmpegPipe::~FfmpegPipe() {
@@ -130,11 +116,7 @@ FfmpegPipe::~FfmpegPipe() {
 /// Closes the input and returns ffmpeg's exit status.
 int FfmpegPipe::wait() {
   ::close(socket_);
-  int status = 0;
-  while (waitpid(ffmpeg_, &status, 0) < 0 && errno == EINTR) {
-  }
-  ffmpeg_ = -1;
-  return status;
+  return wait_for(std::exchange(ffmpeg_, -1));
 }
 
 void FfmpegPipe::fail() {
