@@ -81,6 +81,6 @@ def percentile(values, percent_below):
     return ordered[max(0, -(-percent_below * len(ordered) // 100) - 1)] if ordered else None
 
 
-def bench(*arguments):
+def bench(program, *arguments):
     """A block that shows what a command prints."""
-    return lambda lab: fence(lab.run(list(arguments)))
+    return lambda lab: fence(lab.program(program, list(arguments)))

@@ -41,7 +41,7 @@ def seven_localizers(lab):
 
 def published_defects(lab):
     rows = []
-    for score in json.loads(lab.run(["bench", "published", "--seeds", "20", "--json"])):
+    for score in json.loads(lab.program("workbench", ["published", "--seeds", "20", "--json"])):
         name = score["variant"]
         wrong = score["wrong_lock_share"]
         rows.append([

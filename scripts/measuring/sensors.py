@@ -18,12 +18,12 @@ def odometry_rows(text):
 
 
 def odometry_profiles(lab):
-    return table(["", "segments of 10 m", "%", "deg/m"], odometry_rows(lab.run(["bench", "odometry"])))
+    return table(["", "segments of 10 m", "%", "deg/m"], odometry_rows(lab.program("workbench", ["odometry"])))
 
 
 def odometry_logs(lab):
     logs = [lab.log(name, "log.carmen.gz") for name in ["aces", "freiburg-079", "intel"]]
-    rows = odometry_rows(lab.run(["bench", "odometry", *logs]))[-len(logs):]
+    rows = odometry_rows(lab.program("workbench", ["odometry", *logs]))[-len(logs):]
     names = [[f"recorded: {name}", *row[1:]] for name, row in zip(["aces", "freiburg-079", "intel"], rows)]
     return table(["", "segments of 10 m", "%", "deg/m"], names)
 

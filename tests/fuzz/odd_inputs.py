@@ -226,7 +226,6 @@ FORMATS = {
     "mcap": (None, "b.mcap", ["replay", "b.mcap", "--map", "map.yaml", "--out", "o"]),
     "mcap-info": (None, "b.mcap", ["bag", "b.mcap"]),
     "evaluate": (CARMEN, "log/l.clf", ["evaluate", "log", "--starts", "1", "--kidnaps", "1", "--no-tracking"]),
-    "bench": (CARMEN, "l.clf", ["bench", "odometry", "l.clf", "--seeds", "1", "--duration", "1", "--length", "0.1"]),
     "twist": (TWIST, "t.csv", ["run", "--set", "drive.twist_log=t.csv", "--duration", "1", "--out", "o"] + QUICK),
     "dataset": (DATASET, "d.yaml", ["dataset", "d.yaml", "--out", "ds", "-n", "1"]),
     "summary": (None, "run/summary.json", ["report", "run"]),

@@ -71,10 +71,8 @@ std::string small(std::string line) {
   if (line.starts_with("dataset")) line = replaced(line, R"(-n \d+)", "-n 1");
   if (line.starts_with("campaign")) line = replaced(line, "lidar-range", "tiny");
   if (line.starts_with("bench calibration")) line = "bench calibration --trials 1 --duration 120";
-  if (line.starts_with("bench crowds")) line = "bench crowds --hours 0.01";
   if (line.starts_with("bench kidnaps"))
     line = replaced(line, R"(--kidnaps \d+)", "") + " --kidnaps 1";
-  if (line.starts_with("bench published")) line = "bench published --seeds 1 --help";
   if (line.starts_with("bench simulation") || line.starts_with("bench localization"))
     line += " --quick";
   return line;

@@ -79,7 +79,6 @@ INSTANTIATE_TEST_SUITE_P(
                     Place{"bag_of", "b.mcap", "bag b.mcap"},
                     Place{"map_of_replay", "map.yaml", "replay good.carmen --map map.yaml"},
                     Place{"evaluate", "log/l.clf", "evaluate log"},
-                    Place{"bench", "l.clf", "bench odometry l.clf"},
                     Place{"dataset", "d.yaml", "dataset d.yaml --out ds"},
                     Place{"summary", "run/summary.json", "report run"},
                     Place{"errors", "run/errors.csv", "report run"},

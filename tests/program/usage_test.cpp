@@ -18,7 +18,7 @@ TEST(Usage, NamesTheNearestCommand) {
   expect_refused(folder, "rnu", {"no command 'rnu'", "did you mean 'run'?"});
   expect_refused(folder, "bench kidnap", {"castaway bench: no command 'kidnap'", "'kidnaps'"});
   expect_refused(folder, "", {"give a command: run, experiment"});
-  expect_refused(folder, "bench", {"castaway bench: give a command: calibration, crowds"});
+  expect_refused(folder, "bench", {"castaway bench: give a command: calibration, kidnaps"});
 }
 
 TEST(Usage, NamesTheOptionThatIsAmiss) {

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <variant>
 
+#include <fmt/format.h>
+
 #include "localization/geometry/stamp.hpp"
 #include "tools/batch/evaluate/rows_sink.hpp"
 #include "tools/batch/trials/wrong_scans.hpp"

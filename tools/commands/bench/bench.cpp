@@ -1,4 +1,5 @@
-// castaway bench: the project's own benchmarks, one command each.
+// castaway bench: benchmarks that users run on their machines, worlds and localizers; those of the
+// project are tests/bench.
 #include "tools/commands/bench/bench.hpp"
 
 namespace castaway::testbed {
@@ -8,12 +9,8 @@ void add_bench_command(Command& app) {
       app.add_command("bench", "Measure the localizers and the simulator: one table a command");
   bench.require_command();
   add_bench_calibration(bench);
-  add_bench_crowds(bench);
   add_bench_kidnaps(bench);
   add_bench_localization(bench);
-  add_bench_odometry(bench);
-  add_bench_physics(bench);
-  add_bench_published(bench);
   add_bench_simulation(bench);
 }
 

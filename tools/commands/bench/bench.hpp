@@ -7,12 +7,8 @@
 namespace castaway::testbed {
 
 void add_bench_calibration(Command& bench);
-void add_bench_crowds(Command& bench);
 void add_bench_kidnaps(Command& bench);
 void add_bench_localization(Command& bench);
-void add_bench_odometry(Command& bench);
-void add_bench_physics(Command& bench);
-void add_bench_published(Command& bench);
 void add_bench_simulation(Command& bench);
 
 }  // namespace castaway::testbed

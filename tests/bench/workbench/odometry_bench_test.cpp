@@ -1,4 +1,4 @@
-#include "tools/batch/bench/odometry_bench.hpp"
+#include "tests/bench/workbench/odometry_bench.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,16 +1,14 @@
-// castaway bench odometry: drift of odometry, simulated and recorded.
+// workbench odometry: drift of odometry, simulated and recorded.
 #include <cstdio>
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "sim/sensor/odometry_profiles.hpp"
-#include "tools/base/files/json_text.hpp"
+#include "tests/bench/workbench/commands.hpp"
+#include "tests/bench/workbench/odometry_bench.hpp"
 #include "tools/base/output/say.hpp"
-#include "tools/batch/bench/odometry_bench.hpp"
 #include "tools/build/recorded/carmen_source.hpp"
-#include "tools/commands/bench/bench.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -19,7 +17,6 @@ namespace {
 struct OdometryArguments {
   std::vector<std::string> logs;
   OdometryBenchConfig config;
-  bool json = false;
 };
 
 std::vector<DriftSegment> recorded_drift(const std::string& log, double length_m) {
@@ -29,21 +26,12 @@ std::vector<DriftSegment> recorded_drift(const std::string& log, double length_m
   return drift_segments(frames, length_m);
 }
 
-/// Adds a row; returns false if there are no segments.
-bool add_row(const std::string& name, const std::vector<DriftSegment>& segments, bool words,
-             nlohmann::ordered_json& json) {
+void print_row(const std::string& name, const std::vector<DriftSegment>& segments) {
   const auto mean = mean_drift(segments);
-  if (!mean) return false;
-  if (words) {
-    print_out("{:<40} {:>8} {:>8.2f} {:>8.3f}\n", name, segments.size(), mean->percent,
-              mean->deg_per_m);
-    std::fflush(stdout);
-  }
-  json.push_back({{"name", name},
-                  {"segments", segments.size()},
-                  {"percent", mean->percent},
-                  {"deg_per_m", mean->deg_per_m}});
-  return true;
+  if (!mean) return;
+  print_out("{:<40} {:>8} {:>8.2f} {:>8.3f}\n", name, segments.size(), mean->percent,
+            mean->deg_per_m);
+  std::fflush(stdout);
 }
 
 /// Reads all logs before anything is simulated, so that errors are reported early.
@@ -59,38 +47,32 @@ std::vector<std::vector<DriftSegment>> drift_of_logs(const OdometryArguments& ar
   return drift;
 }
 
-int bench_odometry(const OdometryArguments& arguments) {
+int print_drift(const OdometryArguments& arguments) {
   const auto recorded = drift_of_logs(arguments);
-  const bool words = !arguments.json;
-  auto json = nlohmann::ordered_json::array();
-  if (words) {
-    print_out("{:<40} {:>8} {:>8} {:>8}\n", fmt::format("over {} m", arguments.config.length_m),
-              "segments", "%", "deg/m");
-  }
+  print_out("{:<40} {:>8} {:>8} {:>8}\n", fmt::format("over {} m", arguments.config.length_m),
+            "segments", "%", "deg/m");
   for (const std::string& profile : sim::odometry_profile_names()) {
-    (void)add_row(profile, simulated_drift(profile, arguments.config), words, json);
+    print_row(profile, simulated_drift(profile, arguments.config));
   }
   for (std::size_t i = 0; i < recorded.size(); ++i) {
-    (void)add_row(arguments.logs[i], recorded[i], words, json);
+    print_row(arguments.logs[i], recorded[i]);
   }
-  if (!words) print_out("{}\n", json_text(json, 1));
   return kDone;
 }
 
 }  // namespace
 
-void add_bench_odometry(Command& bench) {
+void add_odometry_command(Command& app) {
   auto arguments = std::make_shared<OdometryArguments>();
-  Command command = bench.add_command(
+  Command command = app.add_command(
       "odometry", "Drift of the odometry profiles, and of recorded logs with reference poses");
   command.add_option("logs", arguments->logs, "CARMEN logs with TRUEPOS, .gz too");
   command.add_option("--seeds", arguments->config.seeds, "Robots of each profile").range(1, 1000);
   command.add_option("--duration", arguments->config.duration_s, "Simulated time of each [s]")
       .range(1.0, 1e5);
   command.add_option("--length", arguments->config.length_m, "Of a segment [m]").range(0.1, 1e4);
-  command.add_flag("--json", arguments->json, "Print JSON instead of words");
-  command.footer("Example:\n  castaway bench odometry intel.log.gz --seeds 4");
-  command.action([arguments] { return bench_odometry(*arguments); });
+  command.footer("Example:\n  build/release/workbench odometry intel.log.gz --seeds 4");
+  command.action([arguments] { return print_drift(*arguments); });
 }
 
 }  // namespace castaway::testbed

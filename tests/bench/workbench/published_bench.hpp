@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "tools/batch/trials/published_variants.hpp"
+#include "tests/bench/workbench/published_variants.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 
 namespace castaway::testbed {

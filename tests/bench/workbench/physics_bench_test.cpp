@@ -1,4 +1,4 @@
-#include "tools/batch/bench/physics_bench.hpp"
+#include "tests/bench/workbench/physics_bench.hpp"
 
 #include <map>
 

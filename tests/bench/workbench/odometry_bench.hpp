@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/batch/bench/odometry_drift.hpp"
+#include "tests/bench/workbench/odometry_drift.hpp"
 
 namespace castaway::testbed {
 

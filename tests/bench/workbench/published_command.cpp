@@ -1,4 +1,4 @@
-// castaway bench published: the cost of each defect of the published MH-AMCL.
+// workbench published: the cost of each defect of the published MH-AMCL.
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/bench/workbench/commands.hpp"
+#include "tests/bench/workbench/published_bench.hpp"
 #include "tools/base/files/json_text.hpp"
 #include "tools/base/formats/figure_text.hpp"
 #include "tools/base/output/say.hpp"
-#include "tools/batch/trials/published_bench.hpp"
-#include "tools/commands/bench/bench.hpp"
 #include "tools/play/progress.hpp"
 #include "tools/run/metrics/statistics/intervals.hpp"
 #include "tools/scenario/files/data_paths.hpp"
@@ -60,7 +60,7 @@ nlohmann::ordered_json to_json(const VariantScore& score) {
           {"wrong_lock_share", number(mean_of(score.wrong))}};
 }
 
-int bench_published(const PublishedArguments& arguments) {
+int play_and_print(const PublishedArguments& arguments) {
   if (arguments.seeds < 1) throw std::invalid_argument("--seeds must be at least 1");
   const std::filesystem::path file = arguments.scenario.empty()
                                          ? data_root() / "worlds/lab/scenarios/kidnap.yaml"
@@ -83,9 +83,9 @@ int bench_published(const PublishedArguments& arguments) {
 
 }  // namespace
 
-void add_bench_published(Command& bench) {
+void add_published_command(Command& app) {
   auto arguments = std::make_shared<PublishedArguments>();
-  Command command = bench.add_command(
+  Command command = app.add_command(
       "published", "Cost of each defect of the published MH-AMCL, relative to the paper");
   command.add_option("--scenario", arguments->scenario,
                      "Scenario file (default: the default kidnap)");
@@ -98,8 +98,8 @@ void add_bench_published(Command& bench) {
       "next kidnap.\n"
       "Wrong: share of scans in which the localizer says that it is right and is not.\n"
       "Example:\n"
-      "  castaway bench published --seeds 20");
-  command.action([arguments] { return bench_published(*arguments); });
+      "  build/release/workbench published --seeds 20");
+  command.action([arguments] { return play_and_print(*arguments); });
 }
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-#include "tools/batch/bench/odometry_drift.hpp"
+#include "tests/bench/workbench/odometry_drift.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "tools/batch/trials/published_bench.hpp"
+#include "tests/bench/workbench/published_bench.hpp"
 
 #include <memory>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "tools/batch/trials/published_variants.hpp"
+#include "tests/bench/workbench/published_variants.hpp"
 
 #include <gtest/gtest.h>
 

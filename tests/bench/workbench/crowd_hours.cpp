@@ -1,4 +1,4 @@
-#include "tools/batch/bench/crowd_hours.hpp"
+#include "tests/bench/workbench/crowd_hours.hpp"
 
 #include <algorithm>
 #include <cmath>
