@@ -45,7 +45,7 @@ TEST(Workbench, PrintsJsonOfPublishedVariants) {
 
 TEST(Workbench, PrintsDriftOfProfiles) {
   const fs::path folder = fresh_folder();
-  const Outcome outcome = workbench(folder, "odometry --seeds 1 --duration 40");
+  const Outcome outcome = workbench(folder, "odometry --seeds 1 --duration 30 --length 2");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   expect_contains(outcome.out, "worn-wheels");
 }

@@ -12,13 +12,16 @@ namespace castaway::testbed {
 namespace {
 
 int run(const std::vector<std::string>& words) {
-  CommandLine line("workbench measures the simulator and the published localizer.", "workbench");
+  CommandLine line("workbench measures the simulator and the published localizer.", "workbench 1");
   Command app = line.root();
-  app.require_command();
   add_crowds_command(app);
   add_odometry_command(app);
   add_physics_command(app);
   add_published_command(app);
+  if (const auto trouble = line.unknown_command(words)) {
+    fmt::print(stderr, "{}\n", *trouble);
+    return kBadInput;
+  }
   const CommandLine::Parsed parsed = line.parse(words);
   if (parsed.act) return parsed.act();
   if (!parsed.trouble.empty()) fmt::print(stderr, "{}\n", parsed.trouble);

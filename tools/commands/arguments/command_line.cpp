@@ -25,7 +25,7 @@ std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) 
 
 /// "castaway bench kidnaps": the commands that the parser recognized.
 std::string path_of(const CLI::App& app, const CLI::App*& last) {
-  std::string path = "castaway";
+  std::string path = app.get_name();
   last = &app;
   for (auto chosen = app.get_subcommands(); !chosen.empty(); chosen = last->get_subcommands()) {
     last = chosen.front();
@@ -223,6 +223,7 @@ CommandLine::CommandLine(const std::string& what, const std::string& version)
     : app_(std::make_unique<CLI::App>(what)) {
   app_->set_version_flag("--version", version);
   app_->require_subcommand(1);
+  app_->name(version.substr(0, version.find(' ')));
 }
 
 CommandLine::~CommandLine() = default;
@@ -233,7 +234,7 @@ void CommandLine::require_whole_seeds() { testbed::require_whole_seeds(*app_); }
 
 std::optional<std::string> CommandLine::unknown_command(const std::vector<std::string>& words) {
   const CLI::App* level = app_.get();
-  std::string path = "castaway";
+  std::string path = app_->get_name();
   for (std::size_t i = 0;; ++i) {
     const std::vector<const CLI::App*> known = commands_of(*level);
     if (known.empty()) return std::nullopt;
@@ -256,7 +257,6 @@ std::optional<std::string> CommandLine::unknown_command(const std::vector<std::s
 
 CommandLine::Parsed CommandLine::parse(const std::vector<std::string>& words) {
   try {
-    app_->name("castaway");
     app_->parse(std::vector<std::string>(words.rbegin(), words.rend()));
     return {chosen_, kDone, {}};
   } catch (const CLI::ParseError& error) {

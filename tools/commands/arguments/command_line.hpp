@@ -98,7 +98,7 @@ std::vector<std::string> replace_help_words(const std::vector<std::string>& word
 /// The whole command line.
 class CommandLine {
  public:
-  /// `version`: what --version prints.
+  /// `version`: what --version prints: the program's name and its version.
   CommandLine(const std::string& what, const std::string& version);
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;
