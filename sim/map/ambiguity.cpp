@@ -196,9 +196,4 @@ Ambiguity ambiguity_of(const PlaceLikeness& places, const AmbiguityConfig& confi
           static_cast<int>(best.size())};
 }
 
-Ambiguity ambiguity(const RayScene& scene, const FreeSpace& free, const PlaceView& view,
-                    const AmbiguityConfig& config) {
-  return ambiguity_of(place_likeness(scene, free, view, config), config);
-}
-
 }  // namespace castaway::sim

@@ -40,8 +40,4 @@ PlaceLikeness place_likeness(const RayScene& scene, const FreeSpace& free, const
 /// Summarizes the likeness of places.
 Ambiguity ambiguity_of(const PlaceLikeness& places, const AmbiguityConfig& config = {});
 
-/// Computes `place_likeness` and summarizes it.
-Ambiguity ambiguity(const RayScene& scene, const FreeSpace& free, const PlaceView& view,
-                    const AmbiguityConfig& config = {});
-
 }  // namespace castaway::sim

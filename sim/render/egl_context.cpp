@@ -66,8 +66,4 @@ void EglContext::make_current() const {
   if (!try_make_current()) fail("eglMakeCurrent");
 }
 
-std::string EglContext::renderer_name() const {
-  return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-}
-
 }  // namespace castaway::sim

@@ -19,8 +19,6 @@ class EglContext {
   void make_current() const;
   /// Does the same for destructors; false if it fails.
   [[nodiscard]] bool try_make_current() const noexcept;
-  /// GL_RENDERER.
-  [[nodiscard]] std::string renderer_name() const;
 
  private:
   void* display_ = nullptr;

@@ -134,6 +134,4 @@ LabelledView Renderer::capture(const Scene& scene) {
   return view;
 }
 
-std::string Renderer::name() const { return impl_->context.renderer_name(); }
-
 }  // namespace castaway::sim

@@ -37,8 +37,6 @@ class Renderer {
   /// Returns the picture with depth and instances, without smoothing: each pixel shows what is at
   /// its centre. Perspective cameras only.
   [[nodiscard]] LabelledView capture(const Scene& scene);
-  /// OpenGL's name of the renderer ("llvmpipe (LLVM 15.0.6, 256 bits)").
-  [[nodiscard]] std::string name() const;
 
  private:
   struct Impl;

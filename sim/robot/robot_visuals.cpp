@@ -38,9 +38,4 @@ std::vector<SceneItem> robot_visuals(const RobotModel& robot) {
   return items;
 }
 
-std::vector<SceneItem> place(std::vector<SceneItem> items, const Eigen::Isometry3d& T_map_base) {
-  for (SceneItem& item : items) item.T_map_mesh = T_map_base.cast<float>() * item.T_map_mesh;
-  return items;
-}
-
 }  // namespace castaway::sim

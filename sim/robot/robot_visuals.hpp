@@ -12,10 +12,7 @@ namespace castaway::sim {
 
 /// The visual shapes of a robot in base (as if base were map), with all joints at 0. Meshes keep
 /// the colours of their materials; meshes without (STL) and primitives have the URDF's. Reads mesh
-/// files: call it once, then `place`. @throws std::runtime_error if one cannot be read.
+/// files: call it once. @throws std::runtime_error if one cannot be read.
 std::vector<SceneItem> robot_visuals(const RobotModel& robot);
-
-/// Moves items from base to map by `T_map_base`.
-std::vector<SceneItem> place(std::vector<SceneItem> items, const Eigen::Isometry3d& T_map_base);
 
 }  // namespace castaway::sim

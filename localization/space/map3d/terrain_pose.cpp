@@ -11,11 +11,6 @@ constexpr double kSteepest = 1.7;  // tan(60 deg)
 
 }  // namespace
 
-std::optional<TerrainPose> stand(const ElevationMap& map, const SE2& T_map_base, double z,
-                                 const WheelStance& wheels) {
-  return stand(map, grid_from_map(map), T_map_base, z, wheels);
-}
-
 std::optional<TerrainPose> stand(const ElevationMap& map, const PlaneTransform& T_grid_map,
                                  const SE2& T_map_base, double z, const WheelStance& wheels) {
   const PlaneTransform T_map_contacts(T_map_base);

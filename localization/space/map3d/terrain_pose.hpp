@@ -19,10 +19,7 @@ struct TerrainPose {
 
 /// Lifts a planar pose onto the surface nearest to the height `z` [m]; base is on the ground
 /// (REP-103 base_footprint). x and y of base are kept. Nothing if a wheel is not above any ground,
-/// or more than 60 degrees above or below base.
-std::optional<TerrainPose> stand(const ElevationMap& map, const SE2& T_map_base, double z,
-                                 const WheelStance& wheels);
-/// The same with the transform of `grid_from_map`.
+/// or more than 60 degrees above or below base. `T_grid_map`: of `grid_from_map`.
 std::optional<TerrainPose> stand(const ElevationMap& map, const PlaneTransform& T_grid_map,
                                  const SE2& T_map_base, double z, const WheelStance& wheels);
 

@@ -12,8 +12,9 @@ const PlaceView kView{0.2, 12.0, 36};
 
 Ambiguity of_world(const WorldSpec& world, const PlaceView& view = kView) {
   const Grid map = rasterise(world, view.z, 0.05);
-  return ambiguity(RayScene(ray_primitives(world)), FreeSpace(map, 0.25), view,
-                   {2.0, 0.5, 0.9, 40});
+  const AmbiguityConfig config{2.0, 0.5, 0.9, 40};
+  const RayScene scene(ray_primitives(world));
+  return ambiguity_of(place_likeness(scene, FreeSpace(map, 0.25), view, config), config);
 }
 
 WorldSpec walled(double half_x, double half_y) {

@@ -61,14 +61,6 @@ TEST(Stretch, NeedsItsScan) {
   EXPECT_THROW(stretch(Frames{}, 0, seconds(1)), std::out_of_range);
 }
 
-TEST(FirstScans, EndsWithTheLastScanWanted) {
-  const Frames part = first_scans(straight_log(10), 2);
-  EXPECT_EQ(part.size(), 5U);  // odometry, scan, odometry between, odometry, scan
-  EXPECT_NE(scan_in(part.back()), nullptr);
-  EXPECT_EQ(first_scans(straight_log(2), 9).size(), 6U);
-  EXPECT_TRUE(first_scans(straight_log(2), 0).empty());
-}
-
 TEST(Splice, TellsOfTheJumpBetweenItsTwoStretches) {
   const Frames part = splice(straight_log(50), {5, 8, 30, seconds(60)});
   const std::size_t at = event_position(part);

@@ -180,10 +180,6 @@ void Hdf5File::append(int table, const std::vector<std::int32_t>& values) {
   state_->append(table, H5T_NATIVE_INT32, values.data(), values.size());
 }
 
-void Hdf5File::append(int table, const std::vector<std::int64_t>& values) {
-  state_->append(table, H5T_NATIVE_INT64, values.data(), values.size());
-}
-
 void Hdf5File::write_texts(const std::string& path, const std::vector<std::string>& texts) {
   std::size_t longest = 1;
   for (const std::string& text : texts) longest = std::max(longest, text.size());

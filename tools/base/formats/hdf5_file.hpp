@@ -39,7 +39,6 @@ class Hdf5File {
   void append(int table, const std::vector<float>& values);
   void append(int table, const std::vector<std::uint8_t>& values);
   void append(int table, const std::vector<std::int32_t>& values);
-  void append(int table, const std::vector<std::int64_t>& values);
   /// Writes a list of texts, padded with zero bytes to the length of the longest.
   void write_texts(const std::string& path, const std::vector<std::string>& texts);
   /// Sets an attribute of a group; "/" is the file.

@@ -41,16 +41,6 @@ std::optional<double> height_of(const OdometryFrame& frame) {
   return frame.T_footprint_base_true->translation().z();
 }
 
-Frames first_scans(const Frames& frames, std::size_t count) {
-  Frames part;
-  for (const Frame& frame : frames) {
-    if (count == 0) break;
-    part.push_back(frame);
-    if (std::holds_alternative<ScanFrame>(frame.data)) --count;
-  }
-  return part;
-}
-
 std::optional<Frame> RecordedSource::next() {
   if (next_ == frames_.size()) return std::nullopt;
   return frames_[next_++];

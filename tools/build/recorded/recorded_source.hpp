@@ -22,9 +22,6 @@ Frames stretch(const Frames& frames, std::size_t first, Stamp window);
 /// [m] Height of base; nothing if it is unknown.
 std::optional<double> height_of(const OdometryFrame& frame);
 
-/// Frames up to and including the `count`-th scan.
-Frames first_scans(const Frames& frames, std::size_t count);
-
 /// Plays frames that it owns.
 class RecordedSource final : public SensorSource {
  public:

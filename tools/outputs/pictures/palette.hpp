@@ -24,9 +24,6 @@ constexpr std::uint32_t palette_color(const std::array<std::uint32_t, N>& palett
   return palette[index % N];
 }
 
-/// "#rrggbb"
-inline std::string css_color(std::uint32_t rgb) { return fmt::format("#{:06x}", rgb); }
-
 /// RGB in [0, 1].
 inline Eigen::Vector3f scene_color(std::uint32_t rgb) {
   return Eigen::Vector3f(static_cast<float>(rgb >> 16U & 255U),

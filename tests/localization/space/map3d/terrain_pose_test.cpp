@@ -7,6 +7,11 @@
 namespace castaway::localization {
 namespace {
 
+std::optional<TerrainPose> stand_on(const ElevationMap& map, const SE2& T_map_base, double z,
+                                    const WheelStance& wheels) {
+  return stand(map, grid_from_map(map), T_map_base, z, wheels);
+}
+
 constexpr double kRise = 0.2;  // Of z along x.
 
 /// A slope of 4 m x 4 m, below a level roof at 5 m that covers half of it.
@@ -29,7 +34,7 @@ ElevationMap slope() {
 const double kPitch = std::atan(kRise);
 
 TEST(Stand, UphillTheRobotLooksUp) {
-  const auto pose = stand(slope(), {0.5, 0.3, 0.0}, 0.0, {});
+  const auto pose = stand_on(slope(), {0.5, 0.3, 0.0}, 0.0, {});
   ASSERT_TRUE(pose);
   const Eigen::Vector3d ahead = pose->T_map_base.linear().col(0);
   EXPECT_NEAR(std::asin(ahead.z()), kPitch, 1e-6);
@@ -40,7 +45,7 @@ TEST(Stand, UphillTheRobotLooksUp) {
 }
 
 TEST(Stand, AcrossTheSlopeTheRobotLeans) {
-  const auto pose = stand(slope(), {0.5, 0.3, M_PI_2}, 0.0, {});
+  const auto pose = stand_on(slope(), {0.5, 0.3, M_PI_2}, 0.0, {});
   ASSERT_TRUE(pose);
   const Eigen::Matrix3d R = pose->T_map_base.linear();
   EXPECT_NEAR(R.col(0).z(), 0.0, 1e-7);                 // It does not look up,
@@ -50,7 +55,7 @@ TEST(Stand, AcrossTheSlopeTheRobotLeans) {
 }
 
 TEST(Stand, TheHeightSaysOnWhichSurface) {
-  const auto above = stand(slope(), {0.5, -1.0, 1.0}, 4.0, {});
+  const auto above = stand_on(slope(), {0.5, -1.0, 1.0}, 4.0, {});
   ASSERT_TRUE(above);
   EXPECT_NEAR(above->T_map_base.translation().z(), 5.0, 1e-6);
   EXPECT_EQ(above->level, 1);
@@ -70,7 +75,7 @@ TEST(Stand, OnTwistedGroundOnThreeOfFourWheels) {
   }
   const WheelStance wheels({{0.15, 0.2}, {0.15, -0.2}, {-0.15, 0.2}, {-0.15, -0.2}},
                            {0.03, 0.0, 0.1});
-  const auto pose = stand(map, {0.0, 0.0, 0.0}, 0.0, wheels);
+  const auto pose = stand_on(map, {0.0, 0.0, 0.0}, 0.0, wheels);
   ASSERT_TRUE(pose);
   EXPECT_NEAR(pose->T_map_base.translation().z(), 0.005, 1e-3);
   EXPECT_NEAR(pose->T_map_base(2, 0), -0.005 / 0.15, 2e-3);
@@ -78,9 +83,9 @@ TEST(Stand, OnTwistedGroundOnThreeOfFourWheels) {
 }
 
 TEST(Stand, WithoutGroundUnderAWheelThereIsNoPose) {
-  EXPECT_FALSE(stand(slope(), {1.95, 0.3, 0.0}, 0.0, {}));   // Ahead is off the map.
-  EXPECT_FALSE(stand(slope(), {0.0, -0.05, 0.0}, 5.0, {}));  // The left side is off the roof.
-  EXPECT_FALSE(stand(slope(), {5.0, 0.0, 0.0}, 0.0, {}));
+  EXPECT_FALSE(stand_on(slope(), {1.95, 0.3, 0.0}, 0.0, {}));   // Ahead is off the map.
+  EXPECT_FALSE(stand_on(slope(), {0.0, -0.05, 0.0}, 5.0, {}));  // The left side is off the roof.
+  EXPECT_FALSE(stand_on(slope(), {5.0, 0.0, 0.0}, 0.0, {}));
 }
 
 }  // namespace

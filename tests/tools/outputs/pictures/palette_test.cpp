@@ -26,7 +26,7 @@ TEST(Palette, TellsLocalizersAndPeopleApart) {
   for (std::size_t i = 0; i < colors.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       EXPECT_GT((lab(colors[i]) - lab(colors[k])).norm(), 25.0)
-          << css_color(colors[i]) << " and " << css_color(colors[k]);
+          << std::hex << colors[i] << " and " << colors[k];
     }
   }
 }

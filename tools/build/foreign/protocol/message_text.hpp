@@ -41,7 +41,4 @@ void append_odometry(const Odometry& odometry, const Eigen::Vector3d& twist, std
 void append_scan(const LaserScan& scan, std::string& text);
 void append_bye(std::string& text);
 
-/// The number of a beam in a message: null for no return, -1 for an invalid one.
-inline constexpr float kInvalidRange = -1.0F;
-
 }  // namespace castaway::testbed
