@@ -3,16 +3,39 @@
 #pragma once
 
 #include <chrono>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "localization/geometry/rate.hpp"
 #include "localization/input/intake.hpp"
-#include "localization/input/lidar_panorama.hpp"
 #include "localization/motion/gravity_filter.hpp"
 #include "localization/motion/gyro_odometry.hpp"
 #include "localization/sensor/scan_points.hpp"
 
 namespace castaway::localization {
+
+/// Stores the newest scan of every lidar.
+class LidarPanorama {
+ public:
+  /// Scans of other lidars are used up to the age `memory`.
+  explicit LidarPanorama(Stamp memory) : memory_(memory) {}
+
+  /// Takes a scan of `lidar` with its points in base at `now`. Returns these points and the recent
+  /// ones of the other lidars, moved to base at `now`.
+  ScanPoints add(const std::string& lidar, const ScanPoints& points, Stamp now,
+                 const SE2& T_odom_base);
+  void clear() { newest_.clear(); }
+
+ private:
+  struct Entry {
+    Stamp stamp{};
+    SE2 T_odom_base;
+    ScanPoints points;
+  };
+  Stamp memory_;
+  std::map<std::string, Entry> newest_;
+};
 
 /// Rates at which readings are used, and how they are prepared.
 struct SensorInputConfig {

@@ -1,11 +1,14 @@
 #include "localization/map/pooled_field.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <utility>
 
 namespace castaway::localization {
 namespace {
+
+int blocks_of(int value, int by) { return (value + by - 1) / by; }
 
 /// Bytes of all cells that a layout covers, row by row: those of its nodes and their padding, and
 /// of one more row of nodes. Bytes outside of the field are 0.
@@ -103,6 +106,19 @@ std::vector<std::uint16_t> find_free_nodes(const ByteField& field, const PooledL
 }
 
 }  // namespace
+
+PooledLayout::PooledLayout(int width, int height, int padding, int node_level)
+    : level(node_level),
+      edge(1 << level),
+      reach(padding),
+      tile_columns(blocks_of(width, edge * kTileColumns)),
+      tile_rows(blocks_of(height, edge * kTileRows)),
+      padding_columns(blocks_of(padding, edge)),
+      padding_rows(blocks_of(padding, edge * kTileRows)),
+      stride(kTileRows * (tile_columns * kTileColumns + 2 * padding_columns)),
+      phase_size(stride * (tile_rows + 2 * padding_rows)) {
+  assert(level >= 0 && padding >= 1);
+}
 
 PooledField::PooledField(const ByteField& field, int level)
     : layout_(field.frame().width, field.frame().height, field.padding(), level),

@@ -5,6 +5,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "localization/matching/scan_shifts.hpp"
+#include "localization/matching/tiles.hpp"
+
 namespace castaway::localization {
 namespace {
 
@@ -12,6 +15,20 @@ constexpr int kByteMax = 255;
 constexpr std::int64_t kSlice = 1 << 20;  // [tiles] Any size gives the same result.
 
 }  // namespace
+
+void score_all(const PooledField& cells, const SearchSpace& space,
+               const std::vector<std::vector<CellOffset>>& scans, BestPlaces& best) {
+  ScanShifts shifts(1, scans);
+  std::vector<Tile> tiles = tiles_within(cells, space);
+  for (std::size_t yaw = 0; yaw < space.yaws.size(); ++yaw) {
+    for (Tile& tile : tiles) {
+      tile.yaw = static_cast<int>(yaw);
+      offer_tile(cells, space, tile,
+                 tile_sums(cells, tile, shifts.at(cells.layout(), yaw), best.threshold()).sums,
+                 best);
+    }
+  }
+}
 
 void validate(const MatcherConfig& config) {
   if (config.points < 1 || config.points > 256) {

@@ -1,11 +1,7 @@
 #include "localization/matching/tile_sums.hpp"
 
-#include <algorithm>
 #include <cassert>
-#include <cstring>
 #include <utility>
-
-#include "localization/matching/deficit_sums.hpp"
 
 namespace castaway::localization {
 namespace {

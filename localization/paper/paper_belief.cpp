@@ -6,6 +6,17 @@
 
 namespace castaway::localization {
 
+int Patience::settle(std::optional<int> present, int preferred, Stamp now) {
+  if (present == preferred) {
+    since_.reset();
+    return preferred;
+  }
+  if (!since_) since_ = now;
+  if (present && seconds(now - *since_) < wait_s_) return *present;
+  since_.reset();
+  return preferred;
+}
+
 PaperBelief::PaperBelief(const PaperMhAmclConfig& config, double patience_s, std::uint64_t seed)
     : spawner(config.spawn, config.size, seed), patience(patience_s) {}
 

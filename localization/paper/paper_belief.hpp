@@ -5,12 +5,28 @@
 #include <optional>
 #include <vector>
 
+#include "localization/geometry/stamp.hpp"
 #include "localization/hypotheses/populations.hpp"
 #include "localization/hypotheses/spawn.hpp"
 #include "localization/paper/paper_config.hpp"
-#include "localization/paper/patience.hpp"
 
 namespace castaway::localization {
+
+/// Stores since when another population is preferred.
+class Patience {
+ public:
+  explicit Patience(double wait_s) : wait_s_(wait_s) {}
+
+  /// Returns the id of the output: the present one or, if it is gone or another one has been
+  /// preferred for long enough, the preferred one.
+  int settle(std::optional<int> present, int preferred, Stamp now);
+  /// Restarts the wait.
+  void reset() { since_.reset(); }
+
+ private:
+  double wait_s_;
+  std::optional<Stamp> since_;
+};
 
 /// Populations weighted by quality; the paper has no null hypothesis.
 struct PaperBelief {

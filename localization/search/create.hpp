@@ -11,7 +11,7 @@
 
 #include "localization/hypotheses/merge.hpp"
 #include "localization/hypotheses/posterior.hpp"
-#include "localization/hypotheses/scan_history.hpp"
+#include "localization/hypotheses/scan_log.hpp"
 #include "localization/matching/place_matcher.hpp"
 #include "localization/matching/pose_climber.hpp"
 #include "localization/motion/odometry_noise.hpp"

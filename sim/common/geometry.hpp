@@ -1,9 +1,11 @@
-/// Planar poses of the simulator.
+/// Planar poses of the simulator, and its gravity.
 #pragma once
 
 #include <Eigen/Geometry>
 
 namespace castaway::sim {
+
+inline constexpr double kGravity = 9.81;  ///< [m/s^2]
 
 /// A pose in the plane: of the robot's base (or any frame b) in map (or any frame a).
 struct Pose2 {

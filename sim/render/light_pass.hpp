@@ -6,6 +6,12 @@
 /// 45 samples. A radius of less than a few pixels is enlarged, so that objects in overviews have
 /// contact shadows, too. The sun: two samples of a shadow map, rotated and averaged in the same
 /// way.
+///
+/// The shadow map of the sun.
+///
+/// L. Williams, "Casting Curved Shadows on Curved Surfaces", 1978; edges softened by
+/// percentage-closer filtering (W. Reeves, D. Salesin, R. Cook, "Rendering Antialiased Shadows with
+/// Depth Maps", 1987).
 #pragma once
 
 #include <vector>
@@ -13,9 +19,26 @@
 #include "sim/render/gl_program.hpp"
 #include "sim/render/gl_texture.hpp"
 #include "sim/render/gl_vertex_array.hpp"
-#include "sim/render/shadow_map.hpp"
+#include "sim/scene/light_frame.hpp"
 
 namespace castaway::sim {
+
+/// Draws depth as seen from the sun. Needs a current context during its whole life.
+class ShadowMap {
+ public:
+  ShadowMap();
+
+  /// `meshes`: of the scene's items, in their order. Leaves another framebuffer bound.
+  void draw(const Scene& scene, const std::vector<GlMesh>& meshes);
+  /// Sets texture and uniforms of kLightFragmentShader for the last picture.
+  void light(const GlProgram& program, unsigned unit) const;
+
+ private:
+  GlTexture depth_;
+  GlFramebuffer framebuffer_;
+  GlProgram program_;
+  LightFrame frame_;
+};
 
 /// Draws these shares for pictures of one size. Needs a current context during its whole life.
 class LightPass {

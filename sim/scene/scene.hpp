@@ -66,4 +66,13 @@ struct Scene {
   Eigen::Vector3f background{0.93F, 0.95F, 0.97F};
 };
 
+/// Axis-aligned in map, not tight for a rotated item. Empty if the mesh is.
+Eigen::AlignedBox3f bounds_of(const SceneItem& item);
+
+/// Bounds of all shaded items. Empty if there are none.
+Eigen::AlignedBox3f lit_bounds(const Scene& scene);
+
+/// Height of the highest item that casts a shadow (not a roof or floor); 0 without any. [m]
+float standing_height(const std::vector<SceneItem>& items);
+
 }  // namespace castaway::sim

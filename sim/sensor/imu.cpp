@@ -11,7 +11,6 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s^2]
 constexpr double kRadiansPerDegreeOfImu = std::numbers::pi / 180.0;
 
 void require_imu(bool holds, const char* field, double value, const char* remedy) {

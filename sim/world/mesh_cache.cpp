@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "sim/world/mesh_file.hpp"
+#include "xacro/files/lower_case.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -49,9 +49,7 @@ std::optional<std::string> key_of(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return std::nullopt;
   const auto hash = hash_of(stream);
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = to_lower(path.extension().string());
   const std::string folder = stands_alone(extension) ? "" : path.parent_path().string();
   return fmt::format("{:016x}{:016x} {} {} {}", hash[0], hash[1], fs::file_size(path, none),
                      extension, folder);

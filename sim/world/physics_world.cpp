@@ -14,7 +14,6 @@
 namespace castaway::sim {
 namespace {
 
-constexpr double kGravity = 9.81;        // [m/s^2]
 constexpr double kFloorThickness = 1.0;  // [m]
 constexpr double kFloorMargin = 20.0;    // [m] Floor beyond the world's extent.
 constexpr double kFloorFriction = 1.0;

@@ -5,7 +5,7 @@
 
 #include "sim/events/world_change.hpp"
 #include "sim/map/level_plane.hpp"
-#include "sim/scene/bounds.hpp"
+#include "sim/scene/scene.hpp"
 #include "sim/world/world_visuals.hpp"
 #include "tools/build/map3d/level_maps.hpp"
 #include "tools/build/scene/visible_scene.hpp"

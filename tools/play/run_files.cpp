@@ -12,7 +12,6 @@
 #include "tools/outputs/sinks/tables_hdf5_sink.hpp"
 #include "tools/outputs/sinks/timing_sink.hpp"
 #include "tools/outputs/sinks/trajectory_sink.hpp"
-#include "tools/play/report_sink.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -52,6 +51,17 @@ RecordingConfig recording_config(const RunFiles& files, Stamp duration) {
 }
 
 }  // namespace
+
+ReportSink::ReportSink(ReportWriter write, std::filesystem::path run_folder, RosMap map,
+                       std::shared_ptr<const LevelMaps> levels)
+    : write_(std::move(write)),
+      run_folder_(std::move(run_folder)),
+      map_(std::move(map)),
+      levels_(std::move(levels)) {}
+
+void ReportSink::finish(Stamp, const RunTiming&) {
+  write_(run_folder_, {map_, levels_ ? *levels_ : LevelMaps{}});
+}
 
 RunSinks build_sinks(const std::filesystem::path& folder, const RunInfo& info, const RosMap& map,
                      Stamp duration, RunFiles files) {

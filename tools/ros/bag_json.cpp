@@ -2,10 +2,7 @@
 
 #include <map>
 
-#include <nlohmann/json.hpp>
-
 #include "tools/ros/cdr.hpp"
-#include "tools/ros/ros_json.hpp"
 #include "tools/ros/ros_visualization.hpp"
 
 namespace castaway::testbed {

@@ -6,7 +6,8 @@
 
 #include "localization/mh_amcl/mh_amcl_models.hpp"
 #include "tools/twin/alignment/expected_scan.hpp"
-#include "tools/twin/drift.hpp"
+#include "tools/twin/alignment/motion_samples.hpp"
+#include "tools/twin/twin_text.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -74,6 +75,40 @@ std::vector<DriftPoint> compare_drift(const AlignedLog& log, const AlignedLog& t
 }
 
 }  // namespace
+
+std::vector<Drift> drifts_over(const AlignedLog& log, double length) {
+  std::vector<Drift> drifts;
+  std::vector<OdometryStep> steps;
+  SE2 T_start_end;
+  double way = 0.0;
+  const auto restart = [&] {
+    steps.clear();
+    T_start_end = {};
+    way = 0.0;
+  };
+  for (const Leg& leg : take_legs(log, kTwinTrack)) {
+    if (leg.breaks) {
+      restart();
+      continue;
+    }
+    steps.insert(steps.end(), leg.steps.begin(), leg.steps.end());
+    T_start_end = T_start_end * leg.T_start_end;
+    way += leg.way;
+    if (way < length) continue;
+    const SE2 miss = T_start_end.inverse() * correct_motion(steps, {});
+    drifts.push_back({way, std::hypot(miss.x, miss.y)});
+    restart();
+  }
+  return drifts;
+}
+
+std::optional<double> drift_rms(const std::vector<Drift>& drifts) {
+  constexpr std::size_t kFewest = 4;
+  if (drifts.size() < kFewest) return std::nullopt;
+  double squares = 0.0;
+  for (const Drift& drift : drifts) squares += drift.miss_m * drift.miss_m;
+  return std::sqrt(squares / static_cast<double>(drifts.size()));
+}
 
 double wasserstein_distance(const std::vector<double>& a, const std::vector<double>& b) {
   assert(!a.empty() && !b.empty());

@@ -1,12 +1,27 @@
 /// How alike a log and its twin are.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tools/twin/alignment/aligned_log.hpp"
 #include "tools/twin/log_fit.hpp"
 
 namespace castaway::testbed {
+
+/// What odometry missed over a stretch.
+struct Drift {
+  double way_m = 0.0;  ///< [m] Travel of the wheels.
+  double miss_m =
+      0.0;  ///< [m] Distance between the measured end of the stretch and the aligned one.
+};
+
+/// Successive stretches of at least `length` [m] each, without resets of odometry, as measured.
+std::vector<Drift> drifts_over(const AlignedLog& log, double length);
+
+/// Root of the mean square of the misses [m]; nothing for fewer than 4 stretches.
+std::optional<double> drift_rms(const std::vector<Drift>& drifts);
 
 /// Values of one quantity in a log and in its twin, ascending.
 struct LikeSamples {

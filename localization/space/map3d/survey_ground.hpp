@@ -8,6 +8,11 @@
 
 namespace castaway::localization {
 
+/// Leaves only those surfaces drivable that are connected with the drivable surface nearest to
+/// `start` [m], or without a start, or without one near it (1 m), the largest connected part.
+/// Neighbouring cells are connected if they differ in height by at most `step`. [m]
+void keep_reachable(ElevationMap& map, const std::optional<Eigen::Vector3d>& start, double step);
+
 /// What a robot can drive on.
 struct GroundConfig {
   double clearance = 1.0;     ///< [m] Least free height above a surface that counts as ground.

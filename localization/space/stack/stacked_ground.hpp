@@ -5,11 +5,31 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "localization/space/map3d/atlas.hpp"
-#include "localization/space/stack/slope_classes.hpp"
 #include "localization/space/stack/stack_frame.hpp"
 
 namespace castaway::localization {
+
+/// The classes of an atlas' ground.
+struct SlopeClasses {
+  /// Mean rise along x and y of the grid of each class. The first is level ground, always there.
+  std::vector<Eigen::Vector2d> slopes;
+  std::vector<std::uint16_t> of_surface;  ///< For each surface of the ground.
+};
+
+/// Sorts the drivable surfaces: slopes of one class are at most about 0.03 from each other in
+/// steepness, and 11 degrees in direction. Level: less than 0.02.
+SlopeClasses sort_by_slope(const ElevationMap& ground);
+
+/// Orientation of a robot in the grid that stands on a slope with a yaw. [rad]
+Eigen::Matrix3d orientation_on(const Eigen::Vector2d& slope, double yaw);
+
+/// Direction up in base for a robot that stands on a slope with a yaw. [rad]
+inline Eigen::Vector3d up_on(const Eigen::Vector2d& slope, double yaw) {
+  return orientation_on(slope, yaw).row(2).transpose();
+}
 
 /// A cell of a stack with ground.
 struct GroundCell {

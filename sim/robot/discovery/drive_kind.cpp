@@ -1,7 +1,6 @@
 #include "sim/robot/discovery/drive_kind.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/common/xml_pose.hpp"
+#include "xacro/files/lower_case.hpp"
 #include "xacro/files/xml_text.hpp"
 
 namespace castaway::sim {
@@ -21,12 +21,6 @@ constexpr double kBesideAxis = 0.05;  // [m]
 constexpr double kSlides = 0.05;  // Less friction is none.
 constexpr double kOblique = 0.3;  // Least component of the axis of a mecanum wheel's roller.
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 bool holds(const std::string& text, const char* word) {
   return text.find(word) != std::string::npos;
 }
@@ -37,7 +31,7 @@ std::string plugin_names(const TiXmlElement& from) {
   for (auto* e = from.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
     if (e->ValueStr() == "plugin") {
       for (const char* key : {"name", "filename"}) {
-        if (e->Attribute(key) != nullptr) names += lower(e->Attribute(key)) + " ";
+        if (e->Attribute(key) != nullptr) names += to_lower(e->Attribute(key)) + " ";
       }
     }
     names += plugin_names(*e);
@@ -52,13 +46,13 @@ std::string wheel_names(const UrdfFile& file, const DriveWheel& wheel) {
     const auto* mesh = dynamic_cast<const urdf::Mesh*>(visual->geometry.get());
     if (mesh != nullptr) names += " " + mesh->filename.substr(mesh->filename.rfind('/') + 1);
   }
-  return lower(names);
+  return to_lower(names);
 }
 
 /// True of a joint that turns a wheel about the vertical within limits, or whose name says "steer".
 bool steers(const urdf::Joint& joint, const LinkFrames& frames) {
   if (joint.type != urdf::Joint::REVOLUTE && joint.type != urdf::Joint::CONTINUOUS) return false;
-  if (holds(lower(joint.name), "steer")) return true;
+  if (holds(to_lower(joint.name), "steer")) return true;
   const Eigen::Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
   const Eigen::Vector3d in_root = frames.at(joint.child_link_name).linear() * axis.normalized();
   return joint.type == urdf::Joint::REVOLUTE && std::abs(in_root.z()) > kUpright;
@@ -103,7 +97,7 @@ bool any_steered(const UrdfFile& file, const LinkFrames& frames,
   bool left = false;
   bool right = false;
   for (const auto& [name, joint] : file.model->joints_) {
-    const std::string names = lower(name + " " + joint->child_link_name);
+    const std::string names = to_lower(name + " " + joint->child_link_name);
     if (!may_be_steered_wheel(file, frames, *joint, names)) continue;
     named += holds(names, "wheel") || holds(names, "tire") ? 1 : 0;
     if (!turns_as_wheel(*joint, frames, wheels)) continue;
@@ -150,7 +144,7 @@ bool has_rollers(const UrdfFile& file, const std::vector<DriveWheel>& wheels) {
 /// drive.
 std::string drive_controllers(const std::vector<std::string>& types) {
   std::string names;
-  for (const std::string& type : types) names += lower(type) + " ";
+  for (const std::string& type : types) names += to_lower(type) + " ";
   return holds(names, "diff_drive") ? "" : names;
 }
 
@@ -175,7 +169,7 @@ std::optional<OtherDrive> other_drive(const UrdfFile& file, const LinkFrames& fr
   if (any_steered(file, frames, wheels) || holds_steering(types)) return OtherDrive::kSteered;
   if (holds(plugins, "planar_move")) return OtherDrive::kPlanarMove;
   const std::string stem = std::filesystem::path(file.path).stem().string();
-  const std::string robot = lower(file.model->getName() + " " + stem);
+  const std::string robot = to_lower(file.model->getName() + " " + stem);
   if (holds(robot, "mecanum")) return OtherDrive::kMecanum;
   if (holds(robot, "omni")) return OtherDrive::kOmni;
   return std::nullopt;

@@ -1,7 +1,6 @@
 #include "sim/robot/discovery/lidar_discovery.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <initializer_list>
@@ -13,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "sim/common/xml_pose.hpp"
+#include "xacro/files/lower_case.hpp"
 #include "xacro/files/xml_text.hpp"
 
 namespace castaway::sim {
@@ -128,13 +128,6 @@ std::vector<LidarMount> by_sensor_tag(const UrdfFile& file, const LinkFrames& fr
   std::stable_partition(lidars.begin(), lidars.end(),
                         [](const LidarMount& lidar) { return lidar.specs->layers == 1; });
   return lidars;
-}
-
-bool holds_word(std::string link, const std::vector<const char*>& words) {
-  std::transform(link.begin(), link.end(), link.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::any_of(words.begin(), words.end(),
-                     [&link](const char* word) { return link.find(word) != std::string::npos; });
 }
 
 bool is_called_lidar(const std::string& link) {

@@ -1,13 +1,13 @@
 #include "sim/robot/discovery/supports.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "sim/robot/urdf/part_points.hpp"
+#include "xacro/files/lower_case.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -20,12 +20,6 @@ constexpr double kMinCasterRadius = 0.005;  // [m]
 constexpr double kInnerShare = 0.15;        // Share of the distance between axle and casters.
 constexpr double kOuterShare = 0.85;
 constexpr double kWorthTelling = 0.001;  // [m] A smaller shift gets no warning.
-
-bool is_caster_name(std::string link) {
-  std::transform(link.begin(), link.end(), link.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return link.find("caster") != std::string::npos || link.find("castor") != std::string::npos;
-}
 
 /// The caster that replaces a part; nothing if the part does not reach the floor.
 std::optional<Caster> caster_of(const RobotPart& part, double wheel_radius) {
@@ -88,7 +82,8 @@ std::pair<double, double> supported_range(const RobotModel& robot) {
 void find_casters(RobotModel& robot, const std::set<std::string>& swivels) {
   std::erase_if(robot.collisions, [&](const RobotPart& part) {
     const bool could_carry = std::holds_alternative<SphereShape>(part.shape) ||
-                             is_caster_name(part.link) || swivels.contains(part.link);
+                             holds_word(part.link, {"caster", "castor"}) ||
+                             swivels.contains(part.link);
     const bool is_wheel = std::any_of(robot.wheels.begin(), robot.wheels.end(),
                                       [&](const auto& wheel) { return wheel.link == part.link; });
     if (!could_carry || is_wheel) return false;

@@ -1,13 +1,14 @@
 #include "sim/robot/discovery/wheel_discovery.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "xacro/files/lower_case.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -54,13 +55,8 @@ bool turns_about_y(const urdf::Joint& joint, const LinkFrames& frames) {
   return std::abs(in_root.y()) > 1.0 - kAxisTolerance;
 }
 
-bool is_passive(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const char* word : {"caster", "castor", "passive", "idler"}) {
-    if (name.find(word) != std::string::npos) return true;
-  }
-  return false;
+bool is_passive(const std::string& name) {
+  return holds_word(name, {"caster", "castor", "passive", "idler"});
 }
 
 /// Collects the candidates of one robot.

@@ -13,6 +13,11 @@
 
 namespace castaway::sim {
 
+/// Checks that no link is the child of two joints and that no joints form a loop; urdfdom accepts
+/// both if it finds a root elsewhere.
+/// @throws std::runtime_error naming the file, the joints and the remedy.
+void require_tree(const TiXmlElement& robot, const std::string& path);
+
 /// The robot as urdfdom reads it, and the XML for what urdfdom skips (gazebo tags).
 struct UrdfFile {
   std::string path;

@@ -1,7 +1,6 @@
 #include "sim/world/sdf/resource_finder.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <optional>
 #include <sstream>
@@ -10,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "xacro/files/lower_case.hpp"
 #include "xacro/files/xml_text.hpp"
 
 namespace castaway::sim {
@@ -42,15 +42,11 @@ std::vector<std::string> folders_of_environment() {
 
 /// The entry of a folder with this name, ignoring case.
 std::optional<fs::path> entry_in(const fs::path& folder, const std::string& name) {
-  const auto lower = [](std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-  };
   std::vector<fs::path> found;
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder, none)) {
-    if (lower(entry.path().filename().string()) == lower(name)) found.push_back(entry.path());
+    const std::string there = entry.path().filename().string();
+    if (to_lower(there) == to_lower(name)) found.push_back(entry.path());
   }
   if (found.empty()) return std::nullopt;
   return *std::min_element(found.begin(), found.end());

@@ -1,4 +1,4 @@
-#include "localization/input/lidar_panorama.hpp"
+#include "localization/input/sensor_input.hpp"
 
 #include <numbers>
 

@@ -1,4 +1,4 @@
-#include "localization/map/pooled_layout.hpp"
+#include "localization/map/pooled_field.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "localization/matching/score_volume.hpp"
+#include "localization/matching/cascade_matcher.hpp"
 #include "tests/localization/matching/search_case.hpp"
 
 namespace castaway::localization {

@@ -1,4 +1,4 @@
-#include "localization/matching/deficit_sums.hpp"
+#include "localization/matching/tile_sums.hpp"
 
 #include <numeric>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "localization/matching/score_volume.hpp"
+#include "localization/matching/cascade_matcher.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "localization/matching/tile_scorer.hpp"
+#include "localization/matching/branch_and_bound.hpp"
 
 #include <iterator>
 

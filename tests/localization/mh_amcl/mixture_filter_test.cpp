@@ -1,4 +1,4 @@
-#include "localization/mh_amcl/mixture_filter.hpp"
+#include "localization/mh_amcl/tracking_filter.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "localization/paper/patience.hpp"
+#include "localization/paper/paper_belief.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/casting/upright_part.hpp"
+#include "sim/casting/moving_scene.hpp"
 
 #include <cmath>
 #include <numbers>

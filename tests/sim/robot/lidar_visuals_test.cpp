@@ -1,5 +1,5 @@
-#include "sim/robot/lidar_visuals.hpp"
 #include "sim/robot/robot_sensors.hpp"
+#include "sim/robot/robot_visuals.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/scene/bounds.hpp"
+#include "sim/scene/scene.hpp"
 
 #include <gtest/gtest.h>
 

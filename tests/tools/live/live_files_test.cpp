@@ -1,4 +1,4 @@
-#include "tools/live/server/live_files.hpp"
+#include "tools/live/server/live_http.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "tools/ros/ros_json.hpp"
+#include "tools/ros/bag_json.hpp"
 
 #include <limits>
 

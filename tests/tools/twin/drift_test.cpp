@@ -1,4 +1,4 @@
-#include "tools/twin/drift.hpp"
+#include "tools/twin/likeness.hpp"
 
 #include <cmath>
 

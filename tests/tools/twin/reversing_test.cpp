@@ -1,4 +1,4 @@
-#include "tools/twin/odometry/reversing.hpp"
+#include "tools/twin/odometry/odometry_fit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,13 +2,23 @@
 /// `plain_match`) that does the same work.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "tools/batch/bench/bench_timer.hpp"
-
 namespace castaway::testbed {
+
+/// How often a measurement is repeated.
+struct BenchEffort {
+  double sample_s = 0.002;  ///< [s] A sample repeats the code until this much time has passed.
+  double total_s = 0.5;     ///< [s] Samples are taken until this much time has passed.
+  int samples = 101;        ///< Maximum number of samples. One is always taken.
+};
+
+/// Median over the samples of the CPU time of one call [s]. The first call is a warm-up and is not
+/// counted unless it alone takes longer than `total_s`.
+double median_cpu_time(const std::function<void()>& body, const BenchEffort& effort = {});
 
 /// A step of the filter, with 5 populations of 200 particles and 180 beams.
 struct StepTime {

@@ -1,11 +1,68 @@
 #include "tools/build/ros2/build_ros2.hpp"
 
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "tools/build/ros2/bridge_sink.hpp"
+#include "tools/build/ros2/bridge_messages.hpp"
+#include "tools/build/ros2/other_clocks.hpp"
 #include "tools/build/ros2/ros2_localizer.hpp"
+#include "tools/build/ros2/wire_writer.hpp"
 
 namespace castaway::testbed {
+namespace {
+
+/// Takes part in a domain and publishes there.
+class OwnWire {
+ public:
+  /// Throws std::runtime_error if the domain cannot be opened, or has a time already.
+  /// `without_robot`: as in `BridgeConfig`.
+  OwnWire(const BridgeOptions& options, bool without_robot)
+      : participant_({options.domain, options.interface}),
+        writer_(participant_, options, !without_robot) {
+    if (!without_robot) clocks_.emplace(participant_, options.domain);
+  }
+
+  TopicWriter& writer() { return writer_; }
+  /// As of `WireWriter`.
+  std::vector<std::string> refused() { return writer_.refused(); }
+
+ private:
+  DdsParticipant participant_;
+  std::optional<OtherClocks> clocks_;
+  WireWriter writer_;
+};
+
+/// Publishes what happens, and how the localizers take it.
+class BridgeSink final : public RunSink {
+ public:
+  /// Throws std::runtime_error if the domain cannot be opened, or has a time already.
+  BridgeSink(const RunInfo& info, const RosMap& map, BridgeConfig config);
+
+  void on_event(const RunEvent& event) override { messages_.on_event(event); }
+  void on_odometry(const OdometryFrame& frame) override { messages_.on_odometry(frame); }
+  void on_imu(const ImuFrame& frame) override { messages_.on_imu(frame); }
+  void on_scan(const ScanRecord& record) override { messages_.on_scan(record); }
+  void finish(Stamp end, const RunTiming& timing) override;
+
+ private:
+  BridgeConfig config_;
+  OwnWire wire_;
+  BridgeMessages messages_;
+};
+
+BridgeSink::BridgeSink(const RunInfo& info, const RosMap& map, BridgeConfig config)
+    : config_(std::move(config)),
+      wire_(config_.options, config_.without_robot),
+      messages_(info, map, config_, wire_.writer()) {}
+
+void BridgeSink::finish(Stamp, const RunTiming&) {
+  if (!config_.warn) return;
+  for (const std::string& sentence : wire_.refused()) config_.warn(sentence);
+}
+
+}  // namespace
 
 NamedLocalizer build_ros2(const Ros2Config& config, const Greeting& greeting) {
   auto node = std::make_unique<Ros2Localizer>(config, greeting);

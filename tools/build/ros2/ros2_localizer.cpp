@@ -1,10 +1,12 @@
 #include "tools/build/ros2/ros2_localizer.hpp"
 
+#include <cmath>
 #include <stdexcept>
 #include <thread>
 
 #include <fmt/format.h>
 
+#include "localization/geometry/stamp.hpp"
 #include "tools/build/ros2/ros_qos.hpp"
 #include "tools/run/localizer_failure.hpp"
 
@@ -18,6 +20,30 @@ constexpr int kSilent = 5;                 // [scans] Without an answer in a row
 constexpr std::chrono::seconds kAgain(1);  // Between two tries to wake a node that begins.
 
 }  // namespace
+
+VelocityCommands::VelocityCommands(DdsParticipant& participant, const std::string& topic,
+                                   double timeout_s)
+    : timeout_(localization::from_seconds(timeout_s)),
+      plain_(participant, topic, ros_qos::kUsual),
+      stamped_(participant, topic, ros_qos::kUsual) {}
+
+void VelocityCommands::take(const ros::Twist& twist, Stamp now) {
+  if (!std::isfinite(twist.linear.x) || !std::isfinite(twist.angular.z)) {
+    ++bad_;
+    return;
+  }
+  newest_ = {twist.linear.x, twist.angular.z};
+  came_ = now;
+}
+
+void VelocityCommands::hear(Stamp now) {
+  while (const auto message = plain_.take()) take(*message, now);
+  while (const auto message = stamped_.take()) take(message->twist, now);
+}
+
+BaseVelocity VelocityCommands::at(Stamp now) const {
+  return came_ >= Stamp{} && now - came_ <= timeout_ ? newest_ : BaseVelocity{};
+}
 
 Ros2Localizer::Ros2Localizer(const Ros2Config& config, const Greeting& greeting)
     : config_(config),

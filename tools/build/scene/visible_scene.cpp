@@ -2,10 +2,9 @@
 
 #include <utility>
 
-#include "sim/robot/lidar_visuals.hpp"
 #include "sim/robot/robot_visuals.hpp"
-#include "sim/scene/bounds.hpp"
 #include "sim/scene/primitives.hpp"
+#include "sim/scene/scene.hpp"
 #include "sim/world/world_visuals.hpp"
 
 namespace castaway::testbed {

@@ -3,9 +3,7 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 
-#include <fmt/format.h>
 #include <Eigen/Core>
 
 namespace castaway::testbed {

@@ -59,7 +59,7 @@ void add_ghosts(const PictureWorld& world, const ScanRecord& record, double heig
   }
 }
 
-Eigen::AlignedBox3f bounds_of(const sim::SceneItem& item) {
+Eigen::AlignedBox3f tight_bounds(const sim::SceneItem& item) {
   Eigen::AlignedBox3f box;
   for (const Vector3f& vertex : item.mesh.vertices) box.extend(item.T_map_mesh * vertex);
   return box;
@@ -84,7 +84,7 @@ bool hangs_over_ground(const PictureWorld& world, const Eigen::AlignedBox3f& box
 std::vector<sim::SceneItem> below_the_next_floor(const PictureWorld& world, double floor) {
   std::vector<sim::SceneItem> items = world.world;
   std::erase_if(items, [&](const sim::SceneItem& item) {
-    const Eigen::AlignedBox3f box = bounds_of(item);
+    const Eigen::AlignedBox3f box = tight_bounds(item);
     return static_cast<double>(box.min().z()) > floor + kHead && hangs_over_ground(world, box);
   });
   return items;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/robot/lidar_visuals.hpp"
 #include "sim/robot/robot_sensors.hpp"
 #include "sim/robot/robot_visuals.hpp"
 #include "sim/scene/primitives.hpp"

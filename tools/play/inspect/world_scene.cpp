@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/scene/bounds.hpp"
 #include "sim/scene/camera.hpp"
 #include "sim/scene/primitives.hpp"
+#include "sim/scene/scene.hpp"
 #include "sim/world/world_visuals.hpp"
+#include "tools/build/scene/visible_scene.hpp"
 #include "tools/outputs/pictures/palette.hpp"
 #include "tools/outputs/pictures/picture_scenes.hpp"
 
@@ -45,22 +46,13 @@ void add_marks(const LoadedWorld& world, sim::Scene& scene) {
   scene.items.push_back(std::move(arrow));
 }
 
-sim::SceneItem floor_of(const sim::WorldSpec& world) {
-  sim::SceneItem item;
-  item.mesh = sim::ground_mesh(world.min_corner.cast<float>(), world.max_corner.cast<float>());
-  item.T_map_mesh.translation().z() = -0.003F;
-  item.color = {0.80F, 0.77F, 0.72F};
-  item.casts_shadow = false;
-  return item;
-}
-
 }  // namespace
 
 sim::Scene world_scene(const LoadedWorld& world) {
   sim::Scene scene;
   const sim::WorldSpec& spec = world.file.spec;
   scene.items = sim::world_visuals_from_above(spec);
-  scene.items.push_back(floor_of(spec));
+  scene.items.push_back(floor_item(spec));
   add_marks(world, scene);
   const Eigen::Vector2f size = (spec.max_corner - spec.min_corner).cast<float>();
   const float reach = 1.06F * std::max(size.x(), 1.25F * size.y());

@@ -9,13 +9,25 @@
 
 #include <Eigen/Geometry>
 
+#include "localization/map/distance_field.hpp"
 #include "localization/sensor/endpoint_model.hpp"
 #include "localization/space/volume/volume.hpp"
 #include "sim/scene/scene.hpp"
-#include "tools/play/observation/cost_map_item.hpp"
+#include "tools/play/observation/map_window.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 
 namespace castaway::testbed {
+
+/// A map with the distances that the observation model looks up.
+struct CostMap {
+  localization::OccupancyGrid grid;
+  localization::DistanceField distances;
+};
+
+/// The cells on z = 0: occupied ones dark, unknown ones grey, free ones the bluer the likelier a
+/// beam ends there.
+sim::SceneItem cost_map_item(const CostMap& map, const localization::EndpointConfig& model,
+                             const MapWindow& window);
 
 /// A beam in map.
 struct ObservedBeam {

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <utility>
 
-#include "sim/scene/bounds.hpp"
 #include "sim/scene/camera.hpp"
 #include "sim/scene/primitives.hpp"
+#include "sim/scene/scene.hpp"
 #include "tools/outputs/pictures/chase_view.hpp"
 #include "tools/play/observation/ground_items.hpp"
 #include "tools/play/observation/observation_colors.hpp"

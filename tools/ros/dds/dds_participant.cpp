@@ -1,5 +1,7 @@
 #include "tools/ros/dds/dds_participant.hpp"
 
+#include <stdexcept>
+
 #include <dds/dds.h>
 
 #include "tools/ros/dds/dds_domain.hpp"
@@ -36,6 +38,18 @@ std::string name_of_policy(std::uint32_t policy) {
 }
 
 }  // namespace
+
+DdsEntity::DdsEntity(std::int32_t handle, const std::string& what) : handle_(handle) {
+  require_dds(handle, what);
+}
+
+DdsEntity::~DdsEntity() {
+  if (handle_ > 0) dds_delete(handle_);
+}
+
+void require_dds(std::int32_t code, const std::string& what) {
+  if (code < 0) throw std::runtime_error("cannot " + what + ": " + dds_strretcode(code));
+}
 
 void DdsWriter::write(const std::string& bytes) {
   require_dds(dds_write(writer_.handle(), &bytes), "publish on " + name_);

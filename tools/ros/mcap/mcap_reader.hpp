@@ -20,6 +20,11 @@
 
 namespace castaway::testbed {
 
+/// Returns the records in a chunk, given the content of the chunk's record. `whole` is false if the
+/// file ends within the record; the available part is then unpacked without checking the checksum.
+/// Throws std::runtime_error if the chunk is damaged or claims more than 256 MiB.
+std::string open_chunk(std::string_view content, bool whole);
+
 /// An attachment, without its data.
 struct McapAttachmentInfo {
   std::string name;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -11,6 +10,7 @@
 
 #include "tools/scenario/yaml/nearest.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
+#include "xacro/files/lower_case.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -21,17 +21,11 @@ double share_of_one(YamlReader& root, const std::string& key, double fallback) {
   return value;
 }
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 /// `negate` is 0 or 1, or a boolean.
 bool read_negate(YamlReader& root) {
   const auto negate = root.find("negate");
   if (!negate) return false;
-  const auto text = lower(negate->as<std::string>());
+  const auto text = to_lower(negate->as<std::string>());
   if (text != "0" && text != "1" && text != "true" && text != "false") {
     negate->fail("expected 0 or 1, found '" + text + "'");
   }
@@ -41,7 +35,7 @@ bool read_negate(YamlReader& root) {
 /// Case-insensitive, as in map_server.
 MapMode read_mode(YamlReader& root) {
   const std::string text = root.get<std::string>("mode", "trinary");
-  const std::string mode = lower(text);
+  const std::string mode = to_lower(text);
   if (mode == "trinary") return MapMode::kTrinary;
   if (mode == "scale") return MapMode::kScale;
   if (mode == "raw") return MapMode::kRaw;
@@ -78,7 +72,7 @@ std::string name_of(const std::filesystem::path& yaml_path) {
 }  // namespace
 
 void refuse_picture(const std::filesystem::path& path) {
-  const std::string extension = lower(path.extension().string());
+  const std::string extension = to_lower(path.extension().string());
   const std::array<std::string_view, 7> kPictures{".png", ".pgm",  ".ppm", ".bmp",
                                                   ".jpg", ".jpeg", ".pnm"};
   if (std::find(kPictures.begin(), kPictures.end(), extension) == kPictures.end()) return;

@@ -10,11 +10,19 @@
 #include <optional>
 #include <vector>
 
+#include "tools/twin/alignment/motion_samples.hpp"
 #include "tools/twin/fits/figure.hpp"
 #include "tools/twin/odometry/miss_bins.hpp"
 #include "tools/twin/odometry/slip_fit.hpp"
 
 namespace castaway::testbed {
+
+/// True if odometry drives ahead in most of the legs in which the robot reverses on the map, and
+/// there are at least ten.
+bool is_distance_unsigned(const std::vector<Leg>& legs);
+
+/// The legs with the sign of the distance from the map.
+std::vector<Leg> sign_distances(std::vector<Leg> legs);
 
 /// Errors of odometry with intervals, in the terms of `sim::OdometryConfig`. A walk of the yaw that
 /// `choose_walk` leaves out is 0, up to what it could be beside the other.

@@ -1,4 +1,4 @@
-#include "localization/paper/published/published_gates.hpp"
+#include "localization/paper/published/published_config.hpp"
 
 #include <gtest/gtest.h>
 

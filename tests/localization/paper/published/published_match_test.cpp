@@ -1,4 +1,4 @@
-#include "localization/paper/published/published_match.hpp"
+#include "localization/paper/published/published_stages.hpp"
 
 #include <cmath>
 #include <numbers>

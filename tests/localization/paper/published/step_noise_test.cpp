@@ -1,4 +1,4 @@
-#include "localization/paper/published/step_noise.hpp"
+#include "localization/paper/published/published_config.hpp"
 
 #include <cmath>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "localization/space/map3d/reachable_ground.hpp"
+#include "localization/space/map3d/survey_ground.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/robot/bodies/inertia.hpp"
+#include "sim/robot/bodies/robot_masses.hpp"
 
 #include <gtest/gtest.h>
 

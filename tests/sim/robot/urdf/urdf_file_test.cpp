@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/robot/urdf/urdf_tree.hpp"
 #include "tests/support/robot_files.hpp"
 #include "xacro/files/xml_text.hpp"
 

@@ -1,4 +1,4 @@
-#include "sim/world/sdf/read_elements.hpp"
+#include "sim/world/sdf/read_pieces.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/scene/bounds.hpp"
+#include "sim/scene/scene.hpp"
 #include "sim/world/world_visuals.hpp"
 #include "tools/build/scene/merged_mesh.hpp"
 

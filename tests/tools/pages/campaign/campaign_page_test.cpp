@@ -1,4 +1,4 @@
-#include "tools/pages/campaign/campaign_page.hpp"
+#include "tools/pages/campaign/campaign_pages.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/pages/dataset/coverage_picture.hpp"
+#include "tools/pages/dataset/dataset_pages.hpp"
 
 #include <gtest/gtest.h>
 #include <png.h>

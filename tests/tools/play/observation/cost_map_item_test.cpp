@@ -1,4 +1,4 @@
-#include "tools/play/observation/cost_map_item.hpp"
+#include "tools/play/observation/observation.hpp"
 
 #include <gtest/gtest.h>
 

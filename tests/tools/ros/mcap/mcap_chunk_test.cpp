@@ -1,4 +1,4 @@
-#include "tools/ros/mcap/mcap_chunk.hpp"
+#include "tools/ros/mcap/mcap_reader.hpp"
 
 #include <cstdint>
 

@@ -1,12 +1,19 @@
 #include "tools/pages/campaign/figures/campaign_figures.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 #include "tools/batch/campaign/campaign_cell.hpp"
 #include "tools/pages/campaign/figures/cell_groups.hpp"
 
 namespace castaway::testbed {
 namespace {
+
+int bin_along(double metres) {
+  const double rounded = std::round(metres * 1e6) / 1e6;
+  return static_cast<int>(std::floor(rounded / kBinEdge));
+}
 
 constexpr std::size_t kMostWorst = 200;
 constexpr std::size_t kMostReasons = 100;
@@ -103,6 +110,49 @@ std::vector<CampaignSeries> series_of(const FinishedCampaign& campaign) {
 }
 
 }  // namespace
+
+BinNumber bin_of(double x, double y) { return {bin_along(x), bin_along(y)}; }
+
+double HeatBin::failure_share() const {
+  return kidnaps == 0 ? 0.0 : static_cast<double>(failures) / kidnaps;
+}
+
+void HeatMap::add(const std::string& world, std::size_t series, const ScoredKidnap& kidnap) {
+  const std::optional<SE2>& target = kidnap.kidnap.T_map_to;
+  if (!target) {
+    ++without_target_;
+    return;
+  }
+  std::vector<HeatBins>& of_world = worlds_.try_emplace(world, series_).first->second;
+  HeatBin& bin = of_world[series][bin_of(target->x, target->y)];
+  ++bin.kidnaps;
+  bin.failures += kidnap.kidnap.recovered ? 0 : 1;
+  bin.times.add(kidnap.lost_s, kidnap.kidnap.recovered);
+}
+
+std::vector<std::string> HeatMap::worlds() const {
+  std::vector<std::string> names;
+  for (const auto& [name, bins] : worlds_) names.push_back(name);
+  return names;
+}
+
+const HeatBins& HeatMap::bins(const std::string& world, std::size_t series) const {
+  return worlds_.at(world).at(series);
+}
+
+bool WorstKidnap::operator<(const WorstKidnap& other) const {
+  const auto rank = [](const WorstKidnap& each) {
+    return std::tuple(-each.kidnap.lost_s, each.kidnap.kidnap.recovered,
+                      -each.largest_error_m.value_or(0.0), each.cell, each.series,
+                      each.kidnap.number);
+  };
+  return rank(*this) < rank(other);
+}
+
+void WorstKidnaps::add(WorstKidnap kidnap) {
+  kidnaps_.insert(std::move(kidnap));
+  if (kidnaps_.size() > most_) kidnaps_.erase(std::prev(kidnaps_.end()));
+}
 
 CampaignFigures::CampaignFigures(std::vector<CampaignSeries> of_localizers,
                                  const std::vector<KeyAxis>& axes)

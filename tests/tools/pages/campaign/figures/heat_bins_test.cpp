@@ -1,4 +1,4 @@
-#include "tools/pages/campaign/figures/heat_bins.hpp"
+#include "tools/pages/campaign/figures/campaign_figures.hpp"
 
 #include <gtest/gtest.h>
 

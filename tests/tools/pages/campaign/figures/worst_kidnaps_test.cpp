@@ -1,4 +1,4 @@
-#include "tools/pages/campaign/figures/worst_kidnaps.hpp"
+#include "tools/pages/campaign/figures/campaign_figures.hpp"
 
 #include <gtest/gtest.h>
 

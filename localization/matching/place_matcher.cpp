@@ -1,4 +1,4 @@
-#include "localization/matching/staged_search.hpp"
+#include "localization/matching/place_matcher.hpp"
 
 #include <algorithm>
 #include <utility>

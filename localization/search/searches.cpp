@@ -1,4 +1,4 @@
-#include "localization/search/scheduled_search.hpp"
+#include "localization/search/searches.hpp"
 
 namespace castaway::localization {
 
