@@ -27,15 +27,7 @@ void add_ring(double radius, double z, Points& points) {
   }
 }
 
-Points corners(const BoxShape& box) {
-  Points points;
-  for (int i = 0; i < 8; ++i) {
-    const Eigen::Vector3d sign((i & 1) != 0 ? 0.5 : -0.5, (i & 2) != 0 ? 0.5 : -0.5,
-                               (i & 4) != 0 ? 0.5 : -0.5);
-    points.emplace_back(sign.cwiseProduct(box.size));
-  }
-  return points;
-}
+Points corners(const BoxShape& box) { return box_corners(box); }
 
 Points corners(const CylinderShape& cylinder) {
   Points points;

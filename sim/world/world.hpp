@@ -16,6 +16,17 @@ struct BoxShape {
   Eigen::Vector3d size = Eigen::Vector3d::Ones();  ///< [m] Full edge lengths.
 };
 
+/// The corners of a box in its frame. [m]
+inline std::vector<Eigen::Vector3d> box_corners(const BoxShape& box) {
+  std::vector<Eigen::Vector3d> corners;
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3d sign((i & 1) != 0 ? 0.5 : -0.5, (i & 2) != 0 ? 0.5 : -0.5,
+                               (i & 4) != 0 ? 0.5 : -0.5);
+    corners.emplace_back(sign.cwiseProduct(box.size));
+  }
+  return corners;
+}
+
 /// An upright cylinder (axis z) centred on its frame.
 struct CylinderShape {
   double radius = 0.5;  ///< [m]

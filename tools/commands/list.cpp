@@ -23,30 +23,30 @@ struct Listed {
   std::filesystem::path file;
 };
 
-std::vector<Listed> worlds() {
+template <typename FileOf>
+std::vector<Listed> listed(const std::vector<std::string>& names, const FileOf& file_of) {
   std::vector<Listed> list;
-  for (const std::string& name : world_names()) list.push_back({name, find_world(name, ".")});
+  for (const std::string& name : names) list.push_back({name, file_of(name)});
   return list;
+}
+
+std::vector<Listed> worlds() {
+  return listed(world_names(), [](const std::string& name) { return find_world(name, "."); });
 }
 
 std::vector<Listed> robots() {
-  std::vector<Listed> list;
-  for (const std::string& name : robot_names()) list.push_back({name, find_robot(name, ".")});
-  return list;
+  return listed(robot_names(), [](const std::string& name) { return find_robot(name, "."); });
 }
 
 std::vector<Listed> scenarios() {
-  std::vector<Listed> list;
-  for (const std::string& name : scenario_names()) list.push_back({name, find_scenario(name, ".")});
-  return list;
+  return listed(scenario_names(), [](const std::string& name) { return find_scenario(name, "."); });
 }
 
 std::vector<Listed> lidars() {
-  std::vector<Listed> list;
-  for (const std::string& name : lidar_profile_names()) {
-    list.push_back({name, data_root() / "lidars" / (name + ".yaml")});
-  }
-  return list;
+  const auto file = [](const std::string& name) {
+    return data_root() / "lidars" / (name + ".yaml");
+  };
+  return listed(lidar_profile_names(), file);
 }
 
 /// A kind of what is shipped.

@@ -18,15 +18,7 @@ void add_ring_points(double radius, double z, std::vector<Eigen::Vector3d>& poin
   }
 }
 
-std::vector<Eigen::Vector3d> local_points(const BoxShape& box) {
-  std::vector<Eigen::Vector3d> points;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Eigen::Vector3d sign((corner & 1) != 0 ? 0.5 : -0.5, (corner & 2) != 0 ? 0.5 : -0.5,
-                               (corner & 4) != 0 ? 0.5 : -0.5);
-    points.emplace_back(sign.cwiseProduct(box.size));
-  }
-  return points;
-}
+std::vector<Eigen::Vector3d> local_points(const BoxShape& box) { return box_corners(box); }
 
 std::vector<Eigen::Vector3d> local_points(const CylinderShape& cylinder) {
   std::vector<Eigen::Vector3d> points;

@@ -1,4 +1,4 @@
-#include "sim/map/components.hpp"
+#include "sim/map/grid_tools.hpp"
 
 #include <array>
 
@@ -6,7 +6,6 @@
 #include <boost/random/uniform_int_distribution.hpp>
 
 #include "sim/common/random.hpp"
-#include "sim/map/grid_tools.hpp"
 #include "tests/sim/support/test_world.hpp"
 
 namespace castaway::sim {

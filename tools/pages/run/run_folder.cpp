@@ -5,15 +5,19 @@
 #include <stdexcept>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "tools/base/files/file.hpp"
 #include "tools/base/formats/csv.hpp"
 #include "tools/base/formats/json_file.hpp"
-#include "tools/pages/run/thinned_curve.hpp"
 
 namespace castaway::testbed {
 namespace {
+
+/// The more informative row: a row without an error (the localizer had no output), else the larger
+/// error.
+const ReportRow& more_informative(const ReportRow& a, const ReportRow& b) {
+  if (!a.position_error_m || !b.position_error_m) return a.position_error_m ? b : a;
+  return *b.position_error_m > *a.position_error_m ? b : a;
+}
 
 using localization::SE2;
 constexpr std::size_t kMostRows = 40000;  // Per localizer; over an hour at 10 Hz.
@@ -109,6 +113,30 @@ void read_pictures(const std::filesystem::path& folder, RunFolder& run) {
 }
 
 }  // namespace
+
+void ThinnedCurve::add(const ReportRow& row) {
+  if (open_ == 0 || open_ == stride_) {
+    if (rows_.size() >= most_) halve();
+    rows_.push_back(row);
+    open_ = 1;
+    return;
+  }
+  rows_.back() = ReportRow(more_informative(rows_.back(), row));
+  ++open_;
+}
+
+void ThinnedCurve::halve() {
+  std::vector<ReportRow> half;
+  half.reserve(most_);
+  for (std::size_t i = 0; i + 1 < rows_.size(); i += 2) {
+    half.push_back(more_informative(rows_[i], rows_[i + 1]));
+  }
+  if (rows_.size() % 2 != 0) half.push_back(rows_.back());
+  rows_ = std::move(half);
+  stride_ *= 2;
+}
+
+std::vector<ReportRow> ThinnedCurve::take() { return std::move(rows_); }
 
 RunFolder load_run_folder(const std::filesystem::path& folder) {
   RunFolder run;

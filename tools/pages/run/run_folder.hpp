@@ -1,6 +1,7 @@
 /// Reads a run folder for its report.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -66,5 +67,24 @@ struct RunFolder {
 /// Reads summary.json, errors.csv and events.csv, which must exist, and scenario.yaml, timing.json,
 /// the recording and the pictures, which are optional. Throws std::runtime_error naming the file.
 RunFolder load_run_folder(const std::filesystem::path& folder);
+
+/// Collects rows. Once there are more than `most`, adjacent pairs are merged into the row with the
+/// larger position error, so that peaks are kept. Later rows are merged to the same density.
+class ThinnedCurve {
+ public:
+  explicit ThinnedCurve(std::size_t most) : most_(most) {}
+
+  void add(const ReportRow& row);
+  /// The rows kept, in their original order.
+  [[nodiscard]] std::vector<ReportRow> take();
+
+ private:
+  void halve();
+
+  std::size_t most_;
+  std::size_t stride_ = 1;  ///< Number of input rows per kept row.
+  std::size_t open_ = 0;    ///< Number of input rows in the last kept row so far.
+  std::vector<ReportRow> rows_;
+};
 
 }  // namespace castaway::testbed

@@ -1,4 +1,4 @@
-#include "tools/pages/run/thinned_curve.hpp"
+#include "tools/pages/run/run_folder.hpp"
 
 #include <gtest/gtest.h>
 
