@@ -1,4 +1,5 @@
-/// Reads the pieces of an SDF world by libsdformat. Internal to sim/world/sdf: it exposes libsdformat's types.
+/// Reads the pieces of an SDF world by libsdformat. Internal to sim/world/sdf: it exposes
+/// libsdformat's types.
 #pragma once
 
 #include <string>
