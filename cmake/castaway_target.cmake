@@ -21,7 +21,8 @@ function(castaway_target name)
   if(ARGC GREATER 1)
     target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O${ARGV1}>)
   endif()
-  target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
   # Collecting the compiler's garbage takes 12 % of its time, and saves a quarter of its memory.
   target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1000000>)
   target_compile_options(

@@ -44,11 +44,11 @@ install(DIRECTORY xacro DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/castaway COMPONE
 
 # The interface of localizers in shared libraries: castaway::plugin, headers only.
 add_library(plugin INTERFACE)
-target_include_directories(plugin INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/plugin>
+target_include_directories(plugin INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 install(TARGETS plugin EXPORT castaway-plugin COMPONENT development)
 install(EXPORT castaway-plugin NAMESPACE castaway:: DESTINATION ${CASTAWAY_CONFIG_DIR} COMPONENT development)
-install(DIRECTORY plugin/castaway DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+install(DIRECTORY include/castaway DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 
 configure_package_config_file(cmake/castaway-config.cmake.in ${PROJECT_BINARY_DIR}/castaway-config.cmake
   INSTALL_DESTINATION ${CASTAWAY_CONFIG_DIR})

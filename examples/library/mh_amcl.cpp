@@ -1,6 +1,6 @@
 // castaway's own localizer as a shared library: what it states is the same to the bit. It shows how
-// a localizer with classes of its own meets castaway/localizer.hpp.
-#include <castaway/localizer.hpp>
+// a localizer with classes of its own meets castaway/plugin.hpp.
+#include <castaway/plugin.hpp>
 
 #include "localization/mh_amcl/mh_amcl.hpp"
 
@@ -9,10 +9,10 @@ namespace {
 namespace localization = castaway::localization;
 using localization::SE2;
 
-SE2 to_se2(const castaway::Pose& pose) { return {pose.x, pose.y, pose.yaw}; }
+SE2 to_se2(const castaway::plugin::Pose& pose) { return {pose.x, pose.y, pose.yaw}; }
 
 /// The cells as Nav2 reads them.
-localization::OccupancyGrid grid_of(const castaway::Setup& setup) {
+localization::OccupancyGrid grid_of(const castaway::plugin::Setup& setup) {
   using localization::CellState;
   localization::OccupancyGrid grid;
   grid.frame = {setup.width, setup.height, setup.resolution, to_se2(setup.origin)};
@@ -25,7 +25,7 @@ localization::OccupancyGrid grid_of(const castaway::Setup& setup) {
   return grid;
 }
 
-localization::LaserScan scan_of(const castaway::Scan& c) {
+localization::LaserScan scan_of(const castaway::plugin::Scan& c) {
   localization::LaserScan scan;
   scan.stamp = localization::Stamp(c.stamp_ns);
   scan.time_increment = localization::Stamp(c.time_increment_ns);
@@ -41,10 +41,10 @@ localization::LaserScan scan_of(const castaway::Scan& c) {
 
 class MhAmcl {
  public:
-  explicit MhAmcl(const castaway::Setup& setup)
+  explicit MhAmcl(const castaway::plugin::Setup& setup)
       : localizer_(localization::MhAmclConfig{}, grid_of(setup), setup.seed) {}
 
-  void initialize(const std::optional<castaway::Start>& start) {
+  void initialize(const std::optional<castaway::plugin::Start>& start) {
     if (!start) {
       localizer_.initialize(std::nullopt);
       return;
@@ -56,15 +56,15 @@ class MhAmcl {
     localizer_.initialize(known);
   }
 
-  void on_odometry(const castaway::OdometryReading& odometry) {
+  void on_odometry(const castaway::plugin::OdometryReading& odometry) {
     localizer_.on_odometry({localization::Stamp(odometry.stamp_ns), to_se2(odometry.pose)});
   }
 
-  std::optional<castaway::Estimate> on_scan(const castaway::Scan& scan) {
+  std::optional<castaway::plugin::Estimate> on_scan(const castaway::plugin::Scan& scan) {
     localizer_.on_scan(scan_of(scan));
     const auto estimate = localizer_.estimate();
     if (!estimate || estimate->stamp.count() != scan.stamp_ns) return std::nullopt;
-    castaway::Estimate answer;
+    castaway::plugin::Estimate answer;
     const SE2& pose = estimate->T_map_base;
     answer.pose = {pose.x, pose.y, pose.yaw};
     for (int i = 0; i < 9; ++i) {

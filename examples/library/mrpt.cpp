@@ -9,13 +9,14 @@
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/random.h>
 #include <mrpt/slam/CMonteCarloLocalization2D.h>
-#include <castaway/localizer.hpp>
+#include <castaway/plugin.hpp>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 
 namespace {
 
+namespace plugin = castaway::plugin;
 using mrpt::maps::COccupancyGridMap2D;
 using mrpt::obs::CActionRobotMovement2D;
 using mrpt::poses::CPose2D;
@@ -25,7 +26,7 @@ constexpr float kOccupied = 0.05F;
 constexpr float kUnknown = 0.5F;
 
 /// The map with MRPT's probabilities of being free. Its origin must not be turned.
-COccupancyGridMap2D::Ptr map_of(const castaway::Setup& setup) {
+COccupancyGridMap2D::Ptr map_of(const plugin::Setup& setup) {
   if (setup.origin.yaw != 0.0) throw std::runtime_error("MRPT knows no turned maps");
   auto map = COccupancyGridMap2D::Create();
   const double resolution = setup.resolution;
@@ -51,9 +52,9 @@ COccupancyGridMap2D::Ptr map_of(const castaway::Setup& setup) {
   return map;
 }
 
-mrpt::obs::CObservation2DRangeScan::Ptr observation_of(const castaway::Scan& scan) {
+mrpt::obs::CObservation2DRangeScan::Ptr observation_of(const plugin::Scan& scan) {
   auto observation = mrpt::obs::CObservation2DRangeScan::Create();
-  const castaway::LidarModel& lidar = *scan.lidar;
+  const plugin::LidarModel& lidar = *scan.lidar;
   observation->resizeScan(lidar.beams);
   observation->aperture =
       static_cast<float>(std::abs(lidar.angle_increment) * static_cast<double>(lidar.beams - 1));
@@ -78,7 +79,7 @@ mrpt::obs::CObservation2DRangeScan::Ptr observation_of(const castaway::Scan& sca
 
 class MrptLocalizer {
  public:
-  explicit MrptLocalizer(const castaway::Setup& setup) : map_(map_of(setup)) {
+  explicit MrptLocalizer(const plugin::Setup& setup) : map_(map_of(setup)) {
     mrpt::random::getRandomGenerator().randomize(static_cast<std::uint32_t>(setup.seed));
     filter_.m_options.PF_algorithm = mrpt::bayes::CParticleFilter::pfStandardProposal;
     filter_.m_options.resamplingMethod = mrpt::bayes::CParticleFilter::prMultinomial;  // For KLD.
@@ -93,7 +94,7 @@ class MrptLocalizer {
     motion_.modelSelection = CActionRobotMovement2D::mmGaussian;
   }
 
-  void initialize(const std::optional<castaway::Start>& start) {
+  void initialize(const std::optional<plugin::Start>& start) {
     odometry_used_.reset();
     if (!start) {
       particles_.resetUniformFreeSpace(map_.get(), 0.7, 20000);
@@ -108,11 +109,11 @@ class MrptLocalizer {
     is_started_ = true;
   }
 
-  void on_odometry(const castaway::OdometryReading& odometry) {
+  void on_odometry(const plugin::OdometryReading& odometry) {
     odometry_ = CPose2D(odometry.pose.x, odometry.pose.y, odometry.pose.yaw);
   }
 
-  std::optional<castaway::Estimate> on_scan(const castaway::Scan& scan) {
+  std::optional<plugin::Estimate> on_scan(const plugin::Scan& scan) {
     if (!is_started_ || !odometry_) return std::nullopt;
     const CPose2D step = odometry_used_ ? *odometry_ - *odometry_used_ : CPose2D();
     odometry_used_ = odometry_;
@@ -127,9 +128,9 @@ class MrptLocalizer {
   }
 
  private:
-  castaway::Estimate estimate() const {
+  plugin::Estimate estimate() const {
     const auto [covariance, mean] = particles_.getCovarianceAndMean();
-    castaway::Estimate answer;
+    plugin::Estimate answer;
     answer.pose = {mean.x(), mean.y(), mean.phi()};
     for (std::size_t i = 0; i < 9; ++i) {
       answer.covariance[i] = covariance(static_cast<int>(i) / 3, static_cast<int>(i) % 3);

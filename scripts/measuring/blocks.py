@@ -44,7 +44,7 @@ BLOCKS = {
     "designs": Block("docs/localization.md", localizers.designs,
                      REPLAY + WORLD + ["worlds/hall", "scripts/measuring/designs.yaml"], logs=True),
     "foreign-localizers": Block("docs/your-localizer.md", foreign.foreign_localizers,
-                                SIMULATOR + ["worlds/office", "examples", "plugin"] + FOREIGN, logs=True, times=True),
+                                SIMULATOR + ["worlds/office", "examples", "include"] + FOREIGN, logs=True, times=True),
     "localization-speed": Block(SPEED, bench("castaway", "bench", "localization"), ["localization", "tools/batch/bench/plain_*.cpp"], times=True),
     "odometry-profiles": Block(SIMULATION, sensors.odometry_profiles,
                                ["sim/sensor", "tests/bench/workbench/odometry_bench.cpp", "worlds/lab", "robots/waffle"], cheap=True),

@@ -32,7 +32,7 @@ TEST(YourLocalizerPage, RunsWordByWord) {
   const fs::path folder = fresh_folder();
   fs::create_directories(folder / "build/release");
   fs::create_symlink(CASTAWAY_PROGRAM, folder / "build/release/castaway");
-  for (const char* part : {"examples", "plugin"}) fs::create_symlink(kRoot / part, folder / part);
+  for (const char* part : {"examples", "include"}) fs::create_symlink(kRoot / part, folder / part);
   write(folder / "page.sh", shell_blocks(kRoot / "docs/your-localizer.md"));
   const std::string command = "cd '" + folder.string() + "' && bash page.sh >page.log 2>&1";
   ASSERT_EQ(std::system(command.c_str()), 0) << text_of(folder / "page.log");

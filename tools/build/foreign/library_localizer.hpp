@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "plugin/castaway/localizer.h"
+#include "castaway/localizer.h"
 #include "tools/build/foreign/protocol/answer.hpp"
 #include "tools/build/foreign/protocol/message_text.hpp"
 #include "tools/run/foreign_config.hpp"

@@ -1,14 +1,14 @@
 /// A localizer for castaway as a C++17 class, in a shared library. Header-only; needs nothing but
 /// the standard library.
 ///
-///     #include <castaway/localizer.hpp>
+///     #include <castaway/plugin.hpp>
 ///
 ///     class Mine {
 ///      public:
-///       explicit Mine(const castaway::Setup& setup);
-///       void initialize(const std::optional<castaway::Start>& start);
-///       void on_odometry(const castaway::OdometryReading& odometry);
-///       std::optional<castaway::Estimate> on_scan(const castaway::Scan& scan);
+///       explicit Mine(const castaway::plugin::Setup& setup);
+///       void initialize(const std::optional<castaway::plugin::Start>& start);
+///       void on_odometry(const castaway::plugin::OdometryReading& odometry);
+///       std::optional<castaway::plugin::Estimate> on_scan(const castaway::plugin::Scan& scan);
 ///     };
 ///     CASTAWAY_LOCALIZER(Mine)
 ///
@@ -28,7 +28,7 @@
 
 #include <castaway/localizer.h>
 
-namespace castaway {
+namespace castaway::plugin {
 
 using Pose = castaway_pose;              ///< x, y [m], yaw [rad]
 using Hypothesis = castaway_hypothesis;  ///< pose, probability
@@ -177,10 +177,10 @@ class LocalizerFunctions {
   }
 };
 
-}  // namespace castaway
+}  // namespace castaway::plugin
 
 /// Makes a class the localizer of its library.
 #define CASTAWAY_LOCALIZER(Class)                                                       \
   extern "C" CASTAWAY_EXPORT const castaway_localizer_functions* castaway_localizer() { \
-    return castaway::LocalizerFunctions<Class>::table();                                \
+    return castaway::plugin::LocalizerFunctions<Class>::table();                        \
   }

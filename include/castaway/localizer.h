@@ -2,7 +2,7 @@
  *
  * The library exports one function, `castaway_localizer`, which returns a table of functions. All
  * of them are called from one thread, in the order of delivery. No call may throw through the C
- * interface; castaway/localizer.hpp is a C++ class that sees to it.
+ * interface; castaway/plugin.hpp is a C++ class that sees to it.
  *
  * Every struct begins with its own size. A library built for an older header is still understood
  * by a newer castaway, and the other way round: what lies beyond the size is not there.
