@@ -2,7 +2,7 @@
 /// ranges.
 #pragma once
 
-#include <localization/localizer.hpp>
+#include <castaway/localizer.hpp>
 
 #include "messages.hpp"
 

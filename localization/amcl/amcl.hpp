@@ -10,13 +10,13 @@
 #include <cstdint>
 #include <optional>
 
+#include "castaway/localizer.hpp"
 #include "localization/amcl/amcl_filter.hpp"
 #include "localization/amcl/amcl_sensor.hpp"
 #include "localization/amcl/update_trigger.hpp"
 #include "localization/filter/pose_bins.hpp"
 #include "localization/geometry/stage_timer.hpp"
 #include "localization/input/intake.hpp"
-#include "localization/localizer.hpp"
 #include "localization/sensor/beam_scan.hpp"
 
 namespace castaway::localization {

@@ -1,7 +1,6 @@
 /// Moments of weighted planar poses, and sampling from a Gaussian over poses.
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include <Eigen/Core>
@@ -15,15 +14,6 @@ namespace castaway::localization {
 struct PoseMoments {
   SE2 mean;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< Of (x, y, yaw): m^2, m rad, rad^2.
-};
-
-/// A pose and its uncertainty.
-struct PoseWithCovariance {
-  SE2 T_map_base;
-  /// Of (x, y, yaw) in map: m^2, m rad, rad^2.
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  /// [m] Height of base, on a 3-D map: the nearest ground counts. None: the lowest ground.
-  std::optional<double> z{};
 };
 
 /// x, y and yaw of `a` less those of `b`, the yaw wrapped: m, m, rad, along the axes of map.

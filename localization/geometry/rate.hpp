@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 
 namespace castaway::localization {
 

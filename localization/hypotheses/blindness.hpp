@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 
 namespace castaway::localization {
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <string>
 
+#include "castaway/readings.hpp"
 #include "localization/geometry/pose_statistics.hpp"
 #include "localization/geometry/transform_buffer.hpp"
-#include "localization/sensor/readings.hpp"
 
 namespace castaway::localization {
 

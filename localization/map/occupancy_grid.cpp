@@ -33,6 +33,15 @@ CellState OccupancyGrid::at(const Eigen::Vector2d& p_map) const {
   return frame.contains(cell) ? cells[frame.index(cell)] : CellState::kUnknown;
 }
 
+OccupancyGrid trinary_grid(const GridFrame& frame, std::span<const std::int8_t> cells) {
+  OccupancyGrid grid{frame, std::vector<CellState>(cells.size())};
+  std::transform(cells.begin(), cells.end(), grid.cells.begin(), [](std::int8_t percent) {
+    if (percent >= 65) return CellState::kOccupied;
+    return percent >= 0 && percent < 20 ? CellState::kFree : CellState::kUnknown;
+  });
+  return grid;
+}
+
 void validate(const OccupancyGrid& grid) {
   const GridFrame& frame = grid.frame;
   if (frame.width <= 0 || frame.height <= 0) {

@@ -13,10 +13,10 @@
 #include <memory>
 #include <optional>
 
+#include "castaway/localizer.hpp"
 #include "localization/geometry/stage_timer.hpp"
 #include "localization/hypotheses/blindness.hpp"
 #include "localization/input/sensor_input.hpp"
-#include "localization/localizer.hpp"
 #include "localization/mh_amcl/belief.hpp"
 #include "localization/mh_amcl/mh_amcl_models.hpp"
 #include "localization/search/searches.hpp"

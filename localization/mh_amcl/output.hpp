@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "castaway/localizer.hpp"
 #include "localization/geometry/stage_timer.hpp"
 #include "localization/hypotheses/populations.hpp"
 #include "localization/input/intake.hpp"
-#include "localization/localizer.hpp"
 
 namespace castaway::localization {
 

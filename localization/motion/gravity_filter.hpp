@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 
 namespace castaway::localization {
 

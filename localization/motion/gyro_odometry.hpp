@@ -9,8 +9,8 @@
 #include <deque>
 #include <optional>
 
+#include "castaway/stamp.hpp"
 #include "localization/geometry/se2.hpp"
-#include "localization/geometry/stamp.hpp"
 
 namespace castaway::localization {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "localization/hypotheses/populations.hpp"
 #include "localization/hypotheses/spawn.hpp"
 #include "localization/paper/paper_config.hpp"

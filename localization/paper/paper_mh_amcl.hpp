@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "castaway/localizer.hpp"
 #include "localization/geometry/stage_timer.hpp"
 #include "localization/input/sensor_input.hpp"
-#include "localization/localizer.hpp"
 #include "localization/paper/paper_belief.hpp"
 #include "localization/paper/paper_stages.hpp"
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "castaway/stamp.hpp"
 #include "localization/geometry/se2.hpp"
-#include "localization/geometry/stamp.hpp"
 
 namespace castaway::localization {
 

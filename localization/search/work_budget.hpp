@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 
 namespace castaway::localization {
 

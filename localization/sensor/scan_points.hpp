@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "castaway/readings.hpp"
 #include "localization/geometry/transform_buffer.hpp"
-#include "localization/sensor/readings.hpp"
 
 namespace castaway::localization {
 

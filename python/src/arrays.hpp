@@ -9,7 +9,7 @@
 #include <pybind11/pybind11.h>
 #include <Eigen/Core>
 
-#include "localization/localizer.hpp"
+#include "castaway/localizer.hpp"
 
 namespace castaway::python {
 

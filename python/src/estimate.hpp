@@ -5,7 +5,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "localization/localizer.hpp"
+#include "castaway/localizer.hpp"
 #include "tools/build/foreign/protocol/answer.hpp"
 
 namespace castaway::python {

@@ -3,7 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "tools/run/frame.hpp"
+#include "castaway/frame.hpp"
 
 namespace castaway::python {
 

@@ -7,7 +7,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "localization/localizer.hpp"
+#include "castaway/localizer.hpp"
 #include "tools/build/foreign/protocol/answer.hpp"
 #include "tools/run/foreign_config.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "localization/sensor/readings.hpp"
+#include "castaway/readings.hpp"
 
 namespace castaway::python {
 

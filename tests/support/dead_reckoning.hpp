@@ -1,7 +1,7 @@
 /// The simplest localizer: the start pose propagated by odometry. It shows the minimal interface.
 #pragma once
 
-#include "localization/localizer.hpp"
+#include "castaway/localizer.hpp"
 
 namespace castaway::test {
 

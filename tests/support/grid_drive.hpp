@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "localization/localizer.hpp"
+#include "castaway/localizer.hpp"
 #include "tests/support/grid_world.hpp"
 
 namespace castaway::test {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "localization/localizer.hpp"
+#include "castaway/localizer.hpp"
 #include "localization/map/occupancy_grid.hpp"
 
 namespace castaway::test {

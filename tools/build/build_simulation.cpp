@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "sim/map/free_space.hpp"
 #include "sim/map/level_plane.hpp"
 #include "sim/stages/drive_setup.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 
 namespace castaway::testbed {
 

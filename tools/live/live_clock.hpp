@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 
 namespace castaway::testbed {
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tools/base/files/json_text.hpp"
 #include "tools/scenario/sections/event_list.hpp"
 

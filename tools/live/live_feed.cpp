@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "sim/world/door.hpp"
 #include "sim/world/footprint.hpp"
 #include "tools/base/files/json_text.hpp"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tools/build/build_localizers.hpp"
 #include "tools/build/build_robot.hpp"
 #include "tools/build/build_sensors.hpp"

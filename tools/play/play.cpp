@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tools/base/bytes/sha256.hpp"
 #include "tools/base/files/file.hpp"
 #include "tools/base/output/exit_code.hpp"

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tools/base/output/interruption.hpp"
 #include "tools/base/output/progress_line.hpp"
 #include "tools/base/process/cpu_clock.hpp"

@@ -1,6 +1,7 @@
 /// People and hypotheses as markers for RViz and Foxglove.
 #pragma once
 
+#include "castaway/localizer.hpp"
 #include "tools/ros/ros_visualization.hpp"
 #include "tools/run/run_sink.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "localization/localizer.hpp"
+#include "castaway/localizer.hpp"
 #include "tools/ros/ros_conversion.hpp"
 
 namespace castaway::testbed {

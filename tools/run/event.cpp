@@ -1,4 +1,4 @@
-#include "tools/run/event.hpp"
+#include "castaway/frame.hpp"
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/run/frame.hpp"
+#include "castaway/frame.hpp"
+#include "castaway/localizer.hpp"
 #include "tools/run/outside_use.hpp"
 
 namespace castaway::testbed {

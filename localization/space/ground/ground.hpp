@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "localization/geometry/pose_statistics.hpp"
-#include "localization/localizer.hpp"
+#include "castaway/localizer.hpp"
 #include "localization/map/distance_field.hpp"
 #include "localization/map/occupancy_grid.hpp"
 #include "localization/space/volume/volume.hpp"

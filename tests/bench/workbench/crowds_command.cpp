@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tests/bench/workbench/commands.hpp"
 #include "tests/bench/workbench/crowd_hours.hpp"
 #include "tools/base/output/say.hpp"

@@ -1,6 +1,6 @@
 #include "tests/bench/workbench/odometry_bench.hpp"
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "sim/sensor/odometry_profiles.hpp"
 #include "tools/build/build_simulation.hpp"
 #include "tools/build/simulator_source.hpp"

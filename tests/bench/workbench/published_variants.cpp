@@ -1,6 +1,6 @@
 #include "tests/bench/workbench/published_variants.hpp"
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 
 namespace castaway::testbed {
 

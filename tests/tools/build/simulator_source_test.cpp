@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/base/formats/tum.hpp"
 #include "tools/build/build_sensors.hpp"

@@ -1,7 +1,7 @@
 // Runs from a world's file to the verdict: a robot that drives counts, one that cannot is void.
 #include <gtest/gtest.h>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tests/tools/support/arm_robot.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/build/build_simulation.hpp"

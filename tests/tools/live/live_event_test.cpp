@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 
 namespace castaway::testbed {
 namespace {

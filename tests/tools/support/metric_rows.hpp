@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tools/run/metrics/run_rows.hpp"
 
 namespace castaway::testbed {

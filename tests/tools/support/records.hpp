@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tools/run/run_sink.hpp"
 
 namespace castaway::testbed {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tools/base/process/cpu_clock.hpp"
 #include "tools/batch/bench/bench_filters.hpp"
 #include "tools/batch/bench/plain_match.hpp"

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "localization/geometry/random.hpp"
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "sim/casting/moving_scene.hpp"
 #include "sim/common/random.hpp"
 #include "sim/map/free_space.hpp"

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tools/batch/evaluate/rows_sink.hpp"
 #include "tools/batch/trials/wrong_scans.hpp"
 #include "tools/build/build_localizers.hpp"

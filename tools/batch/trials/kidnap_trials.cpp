@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "castaway/stamp.hpp"
 #include "localization/geometry/random.hpp"
-#include "localization/geometry/stamp.hpp"
 #include "sim/common/random.hpp"
 #include "sim/stages/drive_setup.hpp"
 #include "sim/stages/drive_space.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "localization/geometry/se2.hpp"
 #include "tools/ros/ros_conversion.hpp"
 
 namespace castaway::testbed {

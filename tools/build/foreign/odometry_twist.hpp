@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "tools/run/frame.hpp"
+#include "castaway/frame.hpp"
 
 namespace castaway::testbed {
 

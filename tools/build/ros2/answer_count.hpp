@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 
 namespace castaway::testbed {
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "castaway/localizer.hpp"
 #include "localization/geometry/pose_statistics.hpp"
 #include "tools/outputs/sinks/run_messages.hpp"
 

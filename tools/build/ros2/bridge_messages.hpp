@@ -1,6 +1,7 @@
 /// What a bridge sends: the messages of a run, its robot and its start.
 #pragma once
 
+#include "castaway/localizer.hpp"
 #include "tools/build/ros2/bridge_config.hpp"
 
 namespace castaway::testbed {

@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 
 namespace castaway::testbed {
 

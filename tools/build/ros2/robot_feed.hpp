@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "castaway/localizer.hpp"
 #include "tools/build/foreign/protocol/message_text.hpp"
 #include "tools/build/ros2/ros_topic.hpp"
 #include "tools/ros/bag_frames.hpp"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tools/build/ros2/ros_qos.hpp"
 #include "tools/run/localizer_failure.hpp"
 

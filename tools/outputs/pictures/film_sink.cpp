@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tools/outputs/pictures/map_picture.hpp"
 
 namespace castaway::testbed {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tools/outputs/pictures/localizer_styles.hpp"
 #include "tools/outputs/pictures/palette.hpp"
 

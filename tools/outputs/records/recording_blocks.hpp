@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "castaway/localizer.hpp"
 #include "tools/run/run_sink.hpp"
 
 namespace castaway::testbed {

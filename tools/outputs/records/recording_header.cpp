@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tools/outputs/records/recording.hpp"
 
 namespace castaway::testbed {

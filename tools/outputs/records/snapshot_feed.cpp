@@ -3,7 +3,7 @@
 #include <charconv>
 #include <optional>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tools/base/files/file.hpp"
 
 namespace castaway::testbed {

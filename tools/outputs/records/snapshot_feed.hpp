@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/run/frame.hpp"
+#include "castaway/frame.hpp"
 
 namespace castaway::testbed {
 

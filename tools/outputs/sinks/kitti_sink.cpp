@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "localization/geometry/se2.hpp"
+
 namespace castaway::testbed {
 
 std::string kitti_line(const SE2& T_map_base) {

@@ -1,6 +1,6 @@
 #include "tools/outputs/sinks/people_sink.hpp"
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 
 namespace castaway::testbed {
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tools/base/files/file.hpp"
 #include "tools/base/output/file_name.hpp"
 

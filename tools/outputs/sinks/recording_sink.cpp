@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tools/outputs/records/recording_blocks.hpp"
 #include "tools/outputs/records/recording_header.hpp"
 

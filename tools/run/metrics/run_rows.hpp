@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "tools/run/frame.hpp"
+#include "castaway/frame.hpp"
 
 namespace castaway::testbed {
 

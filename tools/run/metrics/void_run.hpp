@@ -8,7 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "tools/run/frame.hpp"
+#include "castaway/frame.hpp"
 
 namespace castaway::testbed {
 

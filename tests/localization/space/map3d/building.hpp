@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "castaway/readings.hpp"
 #include "localization/geometry/random.hpp"
-#include "localization/sensor/readings.hpp"
 #include "localization/sensor/scan_points.hpp"
 #include "localization/space/map3d/survey_ground.hpp"
 #include "localization/space/map3d/voxel_builder.hpp"

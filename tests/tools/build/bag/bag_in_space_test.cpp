@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "localization/geometry/se2.hpp"
 #include "tests/tools/support/ros_bag.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tests/tools/support/vlp_cloud.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 #include "tests/tools/support/records.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/build/recorded/carmen_source.hpp"

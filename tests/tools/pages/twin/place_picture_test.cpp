@@ -1,4 +1,5 @@
 #include "tools/pages/twin/place_picture.hpp"
+#include "localization/geometry/se2.hpp"
 
 #include <limits>
 #include <numbers>

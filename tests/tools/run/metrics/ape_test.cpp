@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "localization/geometry/stamp.hpp"
+#include "castaway/stamp.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "localization/localizer.hpp"
+#include "castaway/localizer.hpp"
 
 namespace castaway::testbed {
 

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "castaway/localizer.hpp"
 #include "tools/build/foreign/protocol/message_text.hpp"
 
 namespace castaway::testbed {

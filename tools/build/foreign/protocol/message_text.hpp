@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "castaway/localizer.hpp"
 #include "tools/base/formats/ros_map.hpp"
 #include "tools/build/foreign/protocol/lidar_facts.hpp"
 

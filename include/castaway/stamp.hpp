@@ -17,3 +17,11 @@ inline Stamp from_seconds(double s) {
 }
 
 }  // namespace castaway::localization
+
+namespace castaway {
+
+using localization::from_seconds;
+using localization::seconds;
+using localization::Stamp;
+
+}  // namespace castaway

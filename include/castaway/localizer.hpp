@@ -1,4 +1,5 @@
-/// The interface between a run and a localizer: sensor readings go in, estimates come out.
+/// The interface between a run and a localizer: sensor readings go in, estimates come out. Derive
+/// from `Localizer` to take part in runs (castaway/run.hpp).
 #pragma once
 
 #include <chrono>
@@ -10,9 +11,9 @@
 
 #include <Eigen/Core>
 
-#include "localization/geometry/pose_statistics.hpp"
-#include "localization/geometry/stamp.hpp"
-#include "localization/sensor/readings.hpp"
+#include "castaway/pose.hpp"
+#include "castaway/readings.hpp"
+#include "castaway/stamp.hpp"
 
 namespace castaway::localization {
 
@@ -33,7 +34,7 @@ struct Alternative {
 struct Estimate {
   Stamp stamp{};  ///< The scan's stamp; T_map_base is the pose at that time.
   SE2 T_map_base;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< Of (x, y, yaw): m^2, m rad, rad^2.
   /// In [0, 1]: how well the scan fits the map at this pose (paper, eq. 9). NaN: not stated.
   double quality = 0.0;
   /// In [0, 1]: stated probability that the pose is right. NaN: not stated.
@@ -82,7 +83,18 @@ class Localizer {
   /// The newest estimate; nothing if there is none.
   [[nodiscard]] virtual std::optional<Estimate> estimate() const = 0;
   /// Populations, counters and CPU times after the latest call.
-  [[nodiscard]] virtual Diagnostics diagnostics() const = 0;
+  [[nodiscard]] virtual Diagnostics diagnostics() const { return {}; }
 };
 
 }  // namespace castaway::localization
+
+namespace castaway {
+
+using localization::Alternative;
+using localization::Diagnostics;
+using localization::Estimate;
+using localization::Footing;
+using localization::Localizer;
+using localization::PopulationView;
+
+}  // namespace castaway

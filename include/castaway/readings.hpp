@@ -8,8 +8,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "localization/geometry/se2.hpp"
-#include "localization/geometry/stamp.hpp"
+#include "castaway/pose.hpp"
+#include "castaway/stamp.hpp"
 
 namespace castaway::localization {
 
@@ -59,3 +59,12 @@ struct LaserScan {
 };
 
 }  // namespace castaway::localization
+
+namespace castaway {
+
+using localization::Imu;
+using localization::LaserScan;
+using localization::Odometry;
+using localization::ScanLayer;
+
+}  // namespace castaway
