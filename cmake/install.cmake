@@ -1,5 +1,5 @@
 # What `cmake --install` and `cpack -G DEB` put on a machine: the program with its data, manual page and completion (component
-# program); the libraries with their headers and `find_package(castaway COMPONENTS localization sim plugin)` (component development).
+# program); the public headers, their libraries and `find_package(castaway COMPONENTS localization simulation plugin)` (component development).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -22,37 +22,37 @@ install(FILES ${CASTAWAY_BASH} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-complet
 install(FILES ${CASTAWAY_ZSH} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT program)
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 
-# The libraries: castaway::localization and castaway::sim, each with what it is made of.
+# The public headers, and the libraries that implement them: castaway::localization and castaway::simulation. What these are made
+# of is installed as archives only.
+install(DIRECTORY include/castaway DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 set(CASTAWAY_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/castaway)
-function(castaway_install_component component)
+function(castaway_install_component component public)
+  set_target_properties(${public} PROPERTIES EXPORT_NAME ${component} OUTPUT_NAME castaway_${component})
+  target_compile_features(${public} PUBLIC cxx_std_20)
+  target_include_directories(${public} PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   foreach(target IN LISTS ARGN)
-    set_target_properties(${target} PROPERTIES OUTPUT_NAME castaway_${target})
-    target_compile_features(${target} PUBLIC cxx_std_20)
-    target_include_directories(${target} PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/castaway>
-      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${target}_archive OUTPUT_NAME castaway_${target}_archive)
   endforeach()
-  install(TARGETS ${ARGN} EXPORT castaway-${component} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+  install(TARGETS ${public} ${ARGN} EXPORT castaway-${component} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
   install(EXPORT castaway-${component} NAMESPACE castaway:: DESTINATION ${CASTAWAY_CONFIG_DIR} COMPONENT development)
-  install(DIRECTORY ${component} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/castaway COMPONENT development
-    FILES_MATCHING PATTERN "*.hpp")
 endfunction()
 install(TARGETS elementary elementary_functions EXPORT castaway-elementary ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   COMPONENT development)
 install(EXPORT castaway-elementary NAMESPACE castaway:: DESTINATION ${CASTAWAY_CONFIG_DIR} COMPONENT development)
-castaway_install_component(localization localization)
-castaway_install_component(sim sim sim_events sim_layout sim_odometry sim_scene sim_render xacro)
-install(DIRECTORY xacro DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/castaway COMPONENT development FILES_MATCHING PATTERN "*.hpp")
+castaway_install_component(localization localizers localization settings xacro_names)
+castaway_install_component(simulation simulation
+  pages_floor twin_floor batch_floor play_floor build_floor scenario_floor outputs_floor ros_floor run_floor base_floor
+  sim sim_events sim_layout sim_odometry sim_scene sim_render xacro)
 
-# The interface of localizers in shared libraries: castaway::plugin, headers only.
+# Localizers in shared libraries need castaway::plugin alone: headers of C and C++.
 add_library(plugin INTERFACE)
 target_include_directories(plugin INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 install(TARGETS plugin EXPORT castaway-plugin COMPONENT development)
 install(EXPORT castaway-plugin NAMESPACE castaway:: DESTINATION ${CASTAWAY_CONFIG_DIR} COMPONENT development)
-install(DIRECTORY include/castaway DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 
 configure_package_config_file(cmake/castaway-config.cmake.in ${PROJECT_BINARY_DIR}/castaway-config.cmake
-  INSTALL_DESTINATION ${CASTAWAY_CONFIG_DIR})
+  INSTALL_DESTINATION ${CASTAWAY_CONFIG_DIR} PATH_VARS CASTAWAY_DATA_DIR)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/castaway-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/castaway-config.cmake ${PROJECT_BINARY_DIR}/castaway-config-version.cmake
   DESTINATION ${CASTAWAY_CONFIG_DIR} COMPONENT development)
@@ -73,7 +73,9 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libegl1, libgl1")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libegl-mesa0, libgl1-mesa-dri, ffmpeg")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libcastaway-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "cmake, libboost-dev, libeigen3-dev")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
-  "libassimp-dev, libbullet-dev, libepoxy-dev, libfmt-dev, libpng-dev, libsdformat-dev, libtinyxml-dev, liburdfdom-dev, pkg-config")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "cmake, libeigen3-dev, libfmt-dev, libyaml-cpp-dev")
+# What castaway::simulation links, besides.
+string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
+  "cyclonedds-dev, libassimp-dev, libbullet-dev, libepoxy-dev, libhdf5-dev, libjpeg-dev, liblz4-dev, liboctomap-dev, libpng-dev, "
+  "libsdformat-dev, libsqlite3-dev, libssl-dev, libtinyxml-dev, liburdfdom-dev, libzstd-dev, nlohmann-json3-dev, pkg-config, zlib1g-dev")
 include(CPack)

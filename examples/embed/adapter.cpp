@@ -3,9 +3,9 @@
 #include <limits>
 #include <numbers>
 
-using castaway::localization::from_seconds;
-using castaway::localization::LaserScan;
-using castaway::localization::Odometry;
+using castaway::from_seconds;
+using castaway::LaserScan;
+using castaway::Odometry;
 
 namespace {
 

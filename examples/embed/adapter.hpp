@@ -2,9 +2,9 @@
 /// ranges.
 #pragma once
 
-#include <castaway/localizer.hpp>
+#include <castaway/readings.hpp>
 
 #include "messages.hpp"
 
-castaway::localization::Odometry to_odometry(const WheelMessage& message);
-castaway::localization::LaserScan to_scan(const SweepMessage& message);
+castaway::Odometry to_odometry(const WheelMessage& message);
+castaway::LaserScan to_scan(const SweepMessage& message);

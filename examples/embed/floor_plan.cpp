@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string_view>
 
-using castaway::localization::CellState;
-using castaway::localization::OccupancyGrid;
+using castaway::CellState;
+using castaway::OccupancyGrid;
 
 namespace {
 

@@ -3,13 +3,11 @@
 #include <optional>
 #include <variant>
 
-#include <localization/mh_amcl/mh_amcl.hpp>
+#include <castaway/mh_amcl.hpp>
 
 #include "adapter.hpp"
 #include "floor_plan.hpp"
 #include "robot.hpp"
-
-namespace loc = castaway::localization;
 
 namespace {
 
@@ -17,20 +15,20 @@ constexpr double kEnd = 90.0;        // [s]
 constexpr double kCarriedAt = 45.0;  // [s]
 constexpr double kGood = 0.2;        // [m]
 
-void print(double time_s, const loc::Estimate& estimate, const loc::SE2& T_map_base) {
+void print(double time_s, const castaway::Estimate& estimate, const castaway::Pose2& T_map_base) {
   std::printf(
       "%5.1f s: x %6.2f m, y %6.2f m, yaw %5.2f rad, %s with probability %.2f, off by %.2f m\n",
       time_s, estimate.T_map_base.x, estimate.T_map_base.y, estimate.T_map_base.yaw,
       estimate.lost ? "lost" : "found", estimate.probability,
-      loc::distance(estimate.T_map_base, T_map_base));
+      castaway::distance(estimate.T_map_base, T_map_base));
 }
 
 }  // namespace
 
 int main() {
-  const loc::OccupancyGrid plan = floor_plan();
+  const castaway::OccupancyGrid plan = floor_plan();
   Robot robot(plan);
-  loc::MhAmcl localizer({}, plan, /*seed=*/1);
+  castaway::MhAmcl localizer(plan);
   localizer.initialize(std::nullopt);  // Anywhere on the map.
   bool carried = false;
   double next_print = 1.0;
@@ -42,7 +40,7 @@ int main() {
       continue;
     }
     localizer.on_scan(to_scan(std::get<SweepMessage>(message)));
-    const std::optional<loc::Estimate> estimate = localizer.estimate();
+    const std::optional<castaway::Estimate> estimate = localizer.estimate();
     if (estimate && now >= next_print) {
       print(now, *estimate, robot.T_map_base());
       next_print += 5.0;
@@ -53,9 +51,9 @@ int main() {
       std::puts("carried elsewhere");
     }
   }
-  const std::optional<loc::Estimate> last = localizer.estimate();
+  const std::optional<castaway::Estimate> last = localizer.estimate();
   const bool good =
-      last && !last->lost && loc::distance(last->T_map_base, robot.T_map_base()) < kGood;
+      last && !last->lost && castaway::distance(last->T_map_base, robot.T_map_base()) < kGood;
   std::puts(good ? "found itself" : "did not find itself");
   return good ? 0 : 1;
 }

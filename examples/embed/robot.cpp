@@ -7,7 +7,7 @@
 
 #include "floor_plan.hpp"
 
-using castaway::localization::SE2;
+using castaway::Pose2;
 
 namespace {
 
@@ -22,7 +22,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 
 }  // namespace
 
-Robot::Robot(castaway::localization::OccupancyGrid plan) : plan_(std::move(plan)) {}
+Robot::Robot(castaway::OccupancyGrid plan) : plan_(std::move(plan)) {}
 
 Message Robot::next() {
   const bool sweeps = ticks_ % (kTicksPerSweep + 1) == kTicksPerSweep;
@@ -44,9 +44,10 @@ double Robot::room_ahead() const {
 
 void Robot::drive() {
   turning_ = room_ahead() < (turning_ ? kClear : kNear);
-  const SE2 step = turning_ ? SE2{0.0, 0.0, kTurnRate * kTick} : SE2{kSpeed * kTick, 0.0, 0.0};
+  const Pose2 step =
+      turning_ ? Pose2{0.0, 0.0, kTurnRate * kTick} : Pose2{kSpeed * kTick, 0.0, 0.0};
   T_map_base_ = T_map_base_ * step;
-  T_odom_base_ = T_odom_base_ * SE2{step.x / kWheelsErr, 0.0, step.yaw};
+  T_odom_base_ = T_odom_base_ * Pose2{step.x / kWheelsErr, 0.0, step.yaw};
 }
 
 /// Taken at once, at the time of the last reading of the wheels.

@@ -3,8 +3,8 @@
 
 #include <variant>
 
-#include <localization/geometry/se2.hpp>
-#include <localization/map/occupancy_grid.hpp>
+#include <castaway/grid.hpp>
+#include <castaway/pose.hpp>
 
 #include "messages.hpp"
 
@@ -12,23 +12,23 @@ using Message = std::variant<WheelMessage, SweepMessage>;
 
 class Robot {
  public:
-  explicit Robot(castaway::localization::OccupancyGrid plan);
+  explicit Robot(castaway::OccupancyGrid plan);
 
   /// The next message. The wheels send 50 a second, the lidar ten.
   Message next();
   /// Where it really is: what no robot knows, for the comparison at the end.
-  [[nodiscard]] const castaway::localization::SE2& T_map_base() const { return T_map_base_; }
+  [[nodiscard]] const castaway::Pose2& T_map_base() const { return T_map_base_; }
   /// Somebody puts it down elsewhere; its wheels do not notice.
-  void carry(const castaway::localization::SE2& T_map_base) { T_map_base_ = T_map_base; }
+  void carry(const castaway::Pose2& T_map_base) { T_map_base_ = T_map_base; }
 
  private:
   void drive();
   [[nodiscard]] double room_ahead() const;
   [[nodiscard]] SweepMessage sweep() const;
 
-  castaway::localization::OccupancyGrid plan_;
-  castaway::localization::SE2 T_map_base_{1.5, 2.0, 0.0};
-  castaway::localization::SE2 T_odom_base_;
+  castaway::OccupancyGrid plan_;
+  castaway::Pose2 T_map_base_{1.5, 2.0, 0.0};
+  castaway::Pose2 T_odom_base_;
   bool turning_ = false;
   int ticks_ = 0;
 };

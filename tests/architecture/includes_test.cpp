@@ -1,5 +1,6 @@
 // Tests of the allowed include directions between the parts of the project.
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -13,6 +14,10 @@
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The folders of the product's sources.
+constexpr std::array kParts = {"localization", "xacro",  "sim",   "tools",
+                               "include",      "public", "python"};
 
 /// An include directive: the including file and the included header.
 struct Include {
@@ -28,7 +33,7 @@ std::vector<Include> all_includes() {
   static const std::regex line_of(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
   const fs::path root = CASTAWAY_SOURCE_DIR;
   std::vector<Include> includes;
-  for (const char* part : {"localization", "xacro", "sim", "tools", "python"}) {
+  for (const char* part : kParts) {
     for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".hpp" && extension != ".cpp") continue;
@@ -65,11 +70,64 @@ TEST(Includes, AreFound) {
   EXPECT_GT(everything.size(), 300U);
 }
 
+/// Public headers whose structs and whose interface the localizers themselves use.
+bool is_shared_with_localization(const std::string& header) {
+  const Names shared = {"castaway/grid.hpp", "castaway/localizer.hpp", "castaway/pose.hpp",
+                        "castaway/readings.hpp", "castaway/stamp.hpp"};
+  return std::find(shared.begin(), shared.end(), header) != shared.end();
+}
+
+TEST(Includes, PublicHeadersKnowEigenTheStandardLibraryAndEachOtherOnly) {
+  const std::regex standard(R"re(std(def|int)\.h|[a-z0-9_]+)re");
+  EXPECT_EQ(violations(
+                [&](const std::string& h) {
+                  return !std::regex_match(h, standard) && !starts_with(h, "Eigen/") &&
+                         !starts_with(h, "castaway/");
+                },
+                [](const std::string& f) { return !starts_with(f, "include/"); }),
+            Names{});
+}
+
+/// What is inside knows the structs that it shares with them, and nothing that is built on it.
+TEST(Includes, OfPublicHeadersTheInsideKnowsTheSharedOnesOnly) {
+  EXPECT_EQ(violations(
+                [](const std::string& h) {
+                  return starts_with(h, "castaway/") && !is_shared_with_localization(h) &&
+                         h != "castaway/frame.hpp" && h != "castaway/localizer.h";
+                },
+                [](const std::string& f) {
+                  return starts_with(f, "include/") || starts_with(f, "public/") ||
+                         starts_with(f, "python/");
+                }),
+            Names{});
+}
+
+TEST(Includes, SourcesOfThePublicHeadersAreKnownToPythonOnly) {
+  EXPECT_EQ(violations([](const std::string& h) { return starts_with(h, "public/"); },
+                       [](const std::string& f) {
+                         return starts_with(f, "public/") || starts_with(f, "python/");
+                       }),
+            Names{});
+}
+
+/// A robot's program needs neither the simulator nor the other floors for its localizer.
+TEST(Includes, LocalizersByThemselvesKnowNothingOfTheSimulator) {
+  EXPECT_EQ(violations(
+                [](const std::string& h) {
+                  return starts_with(h, "tools/") && !starts_with(h, "tools/scenario/yaml/") &&
+                         !starts_with(h, "tools/scenario/localizers/");
+                },
+                [](const std::string& f) {
+                  return f.find("amcl.cpp") == std::string::npos || !starts_with(f, "public/");
+                }),
+            Names{});
+}
+
 TEST(Includes, LocalizationKnowsNothingButEigenBoostAndTheStandardLibrary) {
   EXPECT_EQ(violations(
                 [](const std::string& h) {
                   return h.find('.') != std::string::npos && !starts_with(h, "localization/") &&
-                         !starts_with(h, "boost/random/");
+                         !starts_with(h, "boost/random/") && !is_shared_with_localization(h);
                 },
                 [](const std::string& f) { return !starts_with(f, "localization/"); }),
             Names{});
@@ -89,7 +147,7 @@ TEST(Includes, SimKnowsNeitherLocalizationNorTools) {
   EXPECT_EQ(violations(
                 [](const std::string& h) {
                   return starts_with(h, "localization/") || starts_with(h, "tools/") ||
-                         starts_with(h, "yaml-cpp/");
+                         starts_with(h, "castaway/") || starts_with(h, "yaml-cpp/");
                 },
                 [](const std::string& f) { return !starts_with(f, "sim/"); }),
             Names{});
@@ -300,7 +358,7 @@ TEST(Includes, ARoomInTheWrongLayerIsFound) {
 /// A larger folder should be divided by subject.
 TEST(Includes, NoRoomHoldsMoreThanThirtyFiles) {
   std::map<std::string, int> files;
-  for (const char* part : {"localization", "xacro", "sim", "tools", "python"}) {
+  for (const char* part : kParts) {
     for (const auto& entry :
          fs::recursive_directory_iterator(fs::path(CASTAWAY_SOURCE_DIR) / part)) {
       const std::string extension = entry.path().extension().string();
@@ -315,7 +373,7 @@ TEST(Includes, NoRoomHoldsMoreThanThirtyFiles) {
 
 TEST(Names, OfTheProductEndInNeitherTestNorSpec) {
   const fs::path root = CASTAWAY_SOURCE_DIR;
-  for (const char* part : {"localization", "xacro", "sim", "tools", "python"}) {
+  for (const char* part : kParts) {
     for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
       const std::string stem = entry.path().stem().string();
       EXPECT_FALSE(stem.ends_with("_test") || stem.ends_with("_spec")) << entry.path();
@@ -335,7 +393,8 @@ TEST(Includes, OnlyTheProgramReadsWallClocks) {
 Names lines_with(const std::regex& pattern) {
   const fs::path root = CASTAWAY_SOURCE_DIR;
   Names found;
-  for (const char* part : {"localization", "xacro", "sim", "tools", "python", "tests"}) {
+  for (const char* part :
+       {"localization", "xacro", "sim", "tools", "include", "public", "python", "tests"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".hpp" && extension != ".cpp") continue;

@@ -26,6 +26,25 @@ zcat usr/share/man/man1/castaway.1.gz >castaway.1
 grep -q "SH COMMANDS" castaway.1 || fail "no manual page"
 bash -c '. usr/share/bash-completion/completions/castaway; complete -p castaway' | grep -q castaway || fail "no completion"
 
+# What is not public is not installed.
+(cd usr/include && find . -type f | sort) >headers.txt
+diff headers.txt - <<'END' || fail "other headers are installed than the public ones"
+./castaway/amcl.hpp
+./castaway/evaluate.hpp
+./castaway/frame.hpp
+./castaway/grid.hpp
+./castaway/localizer.h
+./castaway/localizer.hpp
+./castaway/mh_amcl.hpp
+./castaway/plugin.hpp
+./castaway/pose.hpp
+./castaway/readings.hpp
+./castaway/run.hpp
+./castaway/scenario.hpp
+./castaway/simulation.hpp
+./castaway/stamp.hpp
+END
+
 # Debug information and sanitizers name source files, and what is built outside must be linked with sanitizers, too.
 flags="$(grep -oP '(?<=^CMAKE_CXX_FLAGS_DEBUG:STRING=).*' "$build/CMakeCache.txt" || true)"
 grep -q '^CMAKE_BUILD_TYPE:STRING=Debug' "$build/CMakeCache.txt" || flags=""
@@ -41,5 +60,9 @@ for name in dead_reckoning mh_amcl; do
   usr/bin/castaway run --duration 2 --set outputs.snapshots=false --localizer "library:library/lib$name.so" --out "run-$name" >"run-$name.log" ||
     fail "castaway cannot use examples/library/$name"
 done
-outside sim "$source/tests/install/sim"
-sim/load usr/share/castaway/robots/mule/mule.urdf.xacro | grep -qx "mule: 4 wheels" || fail "castaway::sim loads no robot"
+# The page of a run is made and a log evaluated by what is installed, too.
+outside simulate "$source/examples/simulate"
+(cd simulate && ./simulate >simulate.log) || { cat simulate/simulate.log; fail "examples/simulate fails"; }
+for line in "kidnap after 1. scans" "run: 0 localizers failed" '.*"localizer":"doubter".*'; do
+  grep -qx "$line" simulate/simulate.log || { cat simulate/simulate.log; fail "examples/simulate does not print '$line'"; }
+done

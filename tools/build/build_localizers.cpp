@@ -93,7 +93,10 @@ struct Maker {
     return named(site, std::make_unique<LibraryLocalizer>(c, greeting_of(site)));
   }
   NamedLocalizer operator()(const OwnConfig& c) const {
-    if (!c.make) throw std::runtime_error("is an object of Python: castaway.run takes it");
+    if (!c.make)
+      throw std::runtime_error(
+          "is an object of the program that made the run: castaway.run takes it, in Python, or "
+          "castaway::run, in C++");
     return named(site, c.make(greeting_of(site)));
   }
   NamedLocalizer operator()(const Ros2Config& c) const {

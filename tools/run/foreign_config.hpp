@@ -32,7 +32,7 @@ struct LibraryConfig {
   std::filesystem::path folder = {};  ///< Of the scenario: the file may lie there.
 };
 
-/// A localizer that the program around castaway provides: an object of Python.
+/// A localizer that the program around castaway provides: an object of Python or C++.
 struct OwnConfig {
   /// Makes the localizer of a run; empty in a scenario's file, where there is no such program.
   std::function<std::unique_ptr<localization::Localizer>(const Greeting& greeting)> make = {};

@@ -54,12 +54,14 @@ TEST(BuildLocalizers, TakesTheLocalizerOfTheProgramAroundCastaway) {
   EXPECT_EQ(told.seed, localizer_seed(7, "mine"));
 }
 
-TEST(BuildLocalizers, RefusesALocalizerOfPythonWithoutPython) {
+TEST(BuildLocalizers, RefusesALocalizerOfAProgramThatIsNotThere) {
   try {
     build_localizers({{"mine", OwnConfig{}}}, {office_map()}, 1);
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "localizer 'mine': is an object of Python: castaway.run takes it");
+    EXPECT_STREQ(error.what(),
+                 "localizer 'mine': is an object of the program that made the run: castaway.run "
+                 "takes it, in Python, or castaway::run, in C++");
   }
 }
 

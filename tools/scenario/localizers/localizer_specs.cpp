@@ -32,7 +32,7 @@ LocalizerSpec read_localizer(YamlReader item, const ForeignRules& rules) {
     spec.name = body.choice("preset", "amcl", amcl_presets());
     spec.config = read_amcl(body, spec.name);
     spec.relocalize_at_kidnap = spec.name == kToldPreset;
-  } else if (kind == "python") {
+  } else if (kind == "python" || kind == "own") {
     spec.name = kind;
     spec.config = OwnConfig{};
   } else {
