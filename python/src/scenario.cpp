@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "castaway/scenario.hpp"
 #include "tools/base/output/file_name.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
@@ -11,21 +12,14 @@ namespace castaway::python {
 
 namespace py = pybind11;
 
-ReadScenario read_scenario(const ScenarioRequest& request) {
-  const auto programs =
-      request.allow_programs ? testbed::FilePrograms::kAllowed : testbed::FilePrograms::kRefused;
-  const std::filesystem::path file = testbed::find_scenario(request.scenario, ".");
-  return {file, testbed::load_scenario(file, request.overrides, programs)};
-}
-
 void bind_scenario(py::module_& module) {
-  py::class_<ScenarioRequest>(module, "ScenarioRequest", "A scenario with its changes.")
+  py::class_<Scenario>(module, "ScenarioRequest", "A scenario with its changes.")
       .def(py::init<std::string, std::vector<std::string>, bool>(), py::arg("scenario"),
            py::arg("overrides"), py::arg("allow_programs"));
-  module.def("set_shipped_data", &testbed::set_shipped_data, py::arg("folder"),
+  module.def("set_shipped_data", &set_data_folder, py::arg("folder"),
              "Where worlds, robots, lidars and data sets lie, unless CASTAWAY_DATA says it.");
   module.def("data_root", &testbed::data_root, "Where worlds, robots, lidars and data sets lie.");
-  module.def("scenarios", &testbed::scenario_names, "The scenarios that come along.");
+  module.def("scenarios", &scenario_names, "The scenarios that come along.");
   module.def("localizer_yaml", &testbed::localizer_yaml, py::arg("text"),
              "A localizer of the command line (NAME:PRESET, program:..., library:...) as YAML.");
   module.def("file_name_of", &testbed::file_name_of, py::arg("text"),

@@ -7,12 +7,12 @@
 
 #include <pybind11/stl.h>
 
+#include "public/read_scenario.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/frames.hpp"
 #include "python/src/map.hpp"
 #include "python/src/one_thread.hpp"
 #include "python/src/scan.hpp"
-#include "python/src/scenario.hpp"
 #include "sim/casting/surfaces.hpp"
 #include "tools/build/build_simulation.hpp"
 #include "tools/build/scan_truth.hpp"
@@ -24,8 +24,8 @@ namespace {
 /// The simulation of a scenario, without its localizers.
 class Simulation {
  public:
-  explicit Simulation(const ScenarioRequest& request) {
-    const ReadScenario read = read_scenario(request);
+  explicit Simulation(const Scenario& asked) {
+    const ReadScenario read = read_scenario(asked);
     const py::gil_scoped_release no_gil;
     const testbed::Scenario& scenario = read.loaded.scenario;
     testbed::PreparedSimulation prepared =
@@ -99,7 +99,7 @@ class Simulation {
 
 void bind_simulation(py::module_& module) {
   py::class_<Simulation>(module, "NativeSimulation", "The simulation of a scenario.")
-      .def(py::init<const ScenarioRequest&>(), py::arg("request"))
+      .def(py::init<const Scenario&>(), py::arg("request"))
       .def("__iter__", [](const py::object& self) { return self; })
       .def("__next__", &Simulation::next)
       .def("command", &Simulation::command, py::arg("v"), py::arg("w"))

@@ -100,7 +100,7 @@ def test_an_unknown_scenario_is_answered_with_the_nearest_one():
 
 def test_the_scenario_of_a_run_with_a_localizer_of_python_says_that_it_needs_it(short, tmp_path):
     run = castaway.run("lab/kidnap", set=short, localizers=[DeadReckoning], out=tmp_path / "run")
-    with pytest.raises(castaway.Error, match="'dead_reckoning': is an object of Python"):
+    with pytest.raises(castaway.Error, match="'dead_reckoning': is an object of the program"):
         castaway.run(run.folder / "scenario.yaml", out=tmp_path / "again")
     again = castaway.run(run.folder / "scenario.yaml", localizers=[DeadReckoning])
     assert np.array_equal(again.trajectory("truth"), run.trajectory("truth"))
