@@ -38,11 +38,10 @@ COMMANDS = {
     "lidars": [], "worlds": [], "robots": [], "scenarios": [], "completion": ["bash"], "man": [],
     "list": ["worlds"], "help": ["run"], "version": [],
     "bench kidnaps": ["--kidnaps", "1", "--window", "1", "--lead", "1"],
-    "bench localization": [], "bench odometry": ["--seeds", "1", "--duration", "1", "--length", "0.1"],
-    "bench physics": [], "bench published": ["--seeds", "1"], "bench simulation": [], "bench crowds": [],
+    "bench localization": [], "bench simulation": [],
 }
 # Commands whose work without odd values is minutes: only cases that give them a wrong value run.
-LONG = {"experiment", "bench localization", "bench physics", "bench published", "bench simulation", "bench crowds"}
+LONG = {"experiment", "bench localization", "bench simulation"}
 
 
 def prepare(lab):

@@ -85,13 +85,5 @@ TEST(BenchSimulation, PrintsATable) {
   EXPECT_EQ(root.at("casts").size(), 4U);
 }
 
-TEST(BenchCrowds, CountsWhoPassesWalls) {
-  const fs::path folder = fresh_folder();
-  const Outcome outcome = castaway(folder, "bench crowds --hours 0.02 --people 10 --json");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(Json::parse(outcome.out).at("through_walls"), 0);
-  EXPECT_EQ(castaway(folder, "bench crowds --people 900").exit_code, 2);
-}
-
 }  // namespace
 }  // namespace castaway::test

@@ -69,6 +69,7 @@ TEST(Workbench, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(workbench(folder, "published --seeds 0").exit_code, 2);
   EXPECT_EQ(workbench(folder, "published --scenario gone.yaml").exit_code, 2);
   EXPECT_EQ(workbench(folder, "odometry gone.clf").exit_code, 2);
+  EXPECT_EQ(workbench(folder, "crowds --people 900").exit_code, 2);
 }
 
 }  // namespace
