@@ -1,6 +1,5 @@
 #include "sim/simulation.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -45,37 +44,9 @@ void Simulation::set_command(const std::optional<Twist2>& command) {
   state_->drive.set_command(command);
 }
 
-void Simulation::add(const KidnapSpec& kidnap) {
-  state_->require_open();
-  state_->kidnaps.add(kidnap, state_->plane.locate(state_->robot.state().T_map_base));
-}
-
-void Simulation::add(const FaultSpec& fault) {
-  state_->require_open();
-  state_->sensors.add(fault);
-}
-
-void Simulation::add(const DriveCommand& command) {
-  state_->require_open();
-  validate(command);
-  std::vector<DriveCommand>& commands = state_->config.commands;
-  const auto to_come = commands.begin() + static_cast<std::ptrdiff_t>(state_->next_command);
-  commands.insert(
-      std::ranges::upper_bound(to_come, commands.end(), command.at_s, {}, &DriveCommand::at_s),
-      command);
-}
-
-void Simulation::add(const WorldChange& change) {
-  state_->require_open();
-  validate(change);
-  if (state_->config.levels) {
-    throw std::invalid_argument("a world with `levels: true` cannot change yet");
-  }
-  if (!state_->has_room(change)) {
-    throw std::invalid_argument("there is no room: robot or people are in the way");
-  }
-  state_->changes.add(change, state_->config.world);
-  state_->change_world();  // As the next step would: what is added next must have room beside it.
+void Simulation::add(const EventSpec& event) {
+  if (!state_->config.open) throw std::logic_error("an event for a run that is not open");
+  std::visit([this](const auto& each) { state_->add(each); }, event);
 }
 
 const WorldSpec& Simulation::world() const { return state_->config.world; }

@@ -50,13 +50,10 @@ class Simulation {
   /// route; nothing: by its route again. A robot that is driven so is never stuck (`void_record`).
   void set_command(const std::optional<Twist2>& command);
   /// Adds an event to a run that is open (`SimulationConfig::open`), as if it had been configured;
-  /// an event whose time is over takes place at the next step. @throws std::invalid_argument,
-  /// std::runtime_error if it is impossible, std::logic_error if the run is not open.
-  void add(const KidnapSpec& kidnap);
-  void add(const FaultSpec& fault);
-  void add(const DriveCommand& command);
-  /// A change for which there is no room right now is impossible.
-  void add(const WorldChange& change);
+  /// an event whose time is over takes place at the next step. A change of the world for which
+  /// there is no room right now is impossible. @throws std::invalid_argument, std::runtime_error if
+  /// it is impossible, std::logic_error if the run is not open.
+  void add(const EventSpec& event);
   /// Time of the next step.
   [[nodiscard]] std::chrono::nanoseconds now() const;
 

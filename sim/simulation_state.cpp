@@ -9,7 +9,6 @@
 
 #include "sim/common/seconds.hpp"
 #include "sim/stages/drive_space.hpp"
-#include "sim/world/footprint.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -43,9 +42,16 @@ SimRobot make_robot(const SimulationConfig& config, Spaces& spaces, const Pose2&
                                  start, limits, step));
 }
 
-/// Orders deliveries by time, then by their kinds' order in `SimFrame`.
+std::size_t index_of_happening(const SimFrame& frame) {
+  const auto* record = std::get_if<HappeningRecord>(&frame.data);
+  return record != nullptr ? record->what.index() : 0;
+}
+
+/// Orders deliveries by time, then by their kinds' order in `SimFrame` and in `Happening`.
 bool earlier(const SimFrame& a, const SimFrame& b) {
-  return a.stamp != b.stamp ? a.stamp < b.stamp : a.data.index() < b.data.index();
+  if (a.stamp != b.stamp) return a.stamp < b.stamp;
+  if (a.data.index() != b.data.index()) return a.data.index() < b.data.index();
+  return index_of_happening(a) < index_of_happening(b);
 }
 
 }  // namespace
@@ -65,7 +71,7 @@ Simulation::State::State(SimulationConfig configuration, SimulationStreams rando
       drive(config, *spaces),
       people(config, *spaces, start, streams.named),
       progress(progress_of(config.drive, config.robot)),
-      changes(config.world, config.changes) {
+      changes(config.world, config.events.changes) {
   if (!config.levels) return;
   require_level_support();
   robot.place(plane.standing_at(start));
@@ -80,7 +86,7 @@ void Simulation::State::require_level_support() const {
   if (config.drive.by_estimate) refuse("no navigation by estimates yet: set drive.by to truth");
   if (!config.drive.path.empty()) refuse("no recorded paths: give a route");
   if (config.drive_model == DriveModel::kKinematic) refuse("no kinematic robots: use physics");
-  if (!config.changes.empty()) refuse("no changes of the world yet: remove these events");
+  if (!config.events.changes.empty()) refuse("no changes of the world yet: remove these events");
 }
 
 template <typename Work>
@@ -98,6 +104,10 @@ void Simulation::State::sample_cpu(const char* stage, Work work) {
   measure_cpu(stage, work, kTimedOf);
 }
 
+void Simulation::State::tell(Happening what, const Pose2& T_map_base) {
+  frames.push_back({now, HappeningRecord{now, std::move(what), T_map_base}});
+}
+
 bool Simulation::State::localized() const {
   if (!watched) return false;
   const Eigen::Isometry3d& T_map_base = robot.state().T_map_base;
@@ -109,17 +119,14 @@ bool Simulation::State::localized() const {
 
 void Simulation::State::kidnap() {
   const auto positions = [this] { return people.positions(); };
-  KidnapOutcome outcome = kidnaps.advance(
-      {now, plane.locate(robot.state().T_map_base), distance, localized(), positions},
-      streams.events);
+  const Pose2 from = plane.locate(robot.state().T_map_base);
+  const KidnapOutcome outcome =
+      kidnaps.advance({now, from, distance, localized(), positions}, streams.events);
   if (outcome.done) {
     teleport(*outcome.done);
     if (kidnaps.was_power_cycle()) sensors.reset_odometry();
   }
-  if (outcome.picked_up) {
-    outcome.picked_up->T_map_base = plane.in_map(outcome.picked_up->T_map_base);
-    frames.push_back({now, *outcome.picked_up});
-  }
+  if (outcome.picked_up) tell(*outcome.picked_up, plane.in_map(from));
   if (!kidnaps.holds()) kidnap_on_request();
 }
 
@@ -149,7 +156,7 @@ void Simulation::State::teleport(KidnapRecord record) {
 }
 
 void Simulation::State::take_commands() {
-  const std::vector<DriveCommand>& commands = config.commands;
+  const std::vector<DriveCommand>& commands = config.events.commands;
   for (; next_command < commands.size() && commands[next_command].at_s <= to_seconds(now);
        ++next_command) {
     drive.set_command(commands[next_command].twist);
@@ -192,18 +199,14 @@ void Simulation::State::take_new_world() {
 bool Simulation::State::make(const WorldChange& change) {
   if (!has_room(change)) return false;
   const Pose2 T_map_base = to_planar(robot.state().T_map_base);
-  WorldRecord record{now, to_string(change), name_of(change), {}, {}, T_map_base};
-  if (const auto solid = solid_of(change, config.world)) {
-    record.outline = footprint(*solid).points;
-    record.z = {bounds(*solid).min().z(), bounds(*solid).max().z()};
-  }
+  WorldNews news = news_of(change, config.world);
   if (const auto* arrival = std::get_if<AddPeople>(&change.what)) {
     people.add(*arrival, now, T_map_base, config, *spaces);
   } else {
     apply(change, config.world);
     take_new_world();
   }
-  noted.push_back({now, std::move(record)});
+  noted.push_back({now, HappeningRecord{now, std::move(news), T_map_base}});
   return true;
 }
 
@@ -213,8 +216,31 @@ void Simulation::State::change_world() {
   changes.advance(now, [this](const WorldChange& change) { return make(change); });
 }
 
-void Simulation::State::require_open() const {
-  if (!config.open) throw std::logic_error("an event for a run that is not open");
+void Simulation::State::add(const KidnapSpec& kidnap) {
+  kidnaps.add(kidnap, plane.locate(robot.state().T_map_base));
+}
+
+void Simulation::State::add(const FaultSpec& fault) { sensors.add(fault); }
+
+void Simulation::State::add(const DriveCommand& command) {
+  validate(command);
+  std::vector<DriveCommand>& commands = config.events.commands;
+  const auto to_come = commands.begin() + static_cast<std::ptrdiff_t>(next_command);
+  commands.insert(
+      std::ranges::upper_bound(to_come, commands.end(), command.at_s, {}, &DriveCommand::at_s),
+      command);
+}
+
+void Simulation::State::add(const WorldChange& change) {
+  validate(change);
+  if (config.levels) {
+    throw std::invalid_argument("a world with `levels: true` cannot change yet");
+  }
+  if (!has_room(change)) {
+    throw std::invalid_argument("there is no room: robot or people are in the way");
+  }
+  changes.add(change, config.world);
+  change_world();  // As the next step would: what is added next must have room beside it.
 }
 
 void Simulation::State::move_people() {
@@ -223,7 +249,7 @@ void Simulation::State::move_people() {
   const Pose2 T_plane_base = plane.locate(robot.state().T_map_base);
   measure_cpu("people", [&] { people.advance(now, T_plane_base, velocity, sensors.scene()); });
   for (const int person : people.take_hits()) {
-    frames.push_back({now, PersonHit{now, person, plane.in_map(T_plane_base)}});
+    tell(Collision{Collision::Person{person}}, plane.in_map(T_plane_base));
   }
 }
 
@@ -233,9 +259,7 @@ void Simulation::State::command() {
   robot.set_command(commanded);
   progress.update({now, T_map_base, robot.touching(), drive.wants() && !kidnaps.holds(),
                    drive.waypoints_reached()});
-  for (std::string& what : drive.take_events()) {
-    frames.push_back({now, DriveRecord{now, std::move(what), T_map_base}});
-  }
+  for (const Driving& event : drive.take_events()) tell(event, T_map_base);
 }
 
 void Simulation::State::move_robot() {
@@ -299,8 +323,10 @@ void Simulation::State::run_step() {
       (after.T_map_base.translation() - before.T_map_base.translation()).head<2>();
   if (!kidnaps.holds()) distance += way.norm();
   velocity = way / to_seconds(step);
-  for (const FaultRecord& fault : sensors.read_faults(motion))
-    frames.push_back({fault.stamp, fault});
+  for (const FaultRecord& fault : sensors.read_faults(motion)) {
+    const FaultEdge edge{SensorFault{fault.kind, fault.lidar}, fault.begins};
+    frames.push_back({fault.stamp, HappeningRecord{fault.stamp, edge, fault.T_map_base_true}});
+  }
   deliver(sensors.read_odometry(motion, before.wheels, after.wheels, robot.collisions()));
   read_imu(motion);
   sample_cpu("lidar", [&] { read_lidar(motion); });

@@ -67,6 +67,11 @@ struct Simulation::State {
   State(SimulationConfig configuration, SimulationStreams random_streams, CpuClock clock);
 
   void run_step();
+  void tell(Happening what, const Pose2& T_map_base);
+  void add(const KidnapSpec& kidnap);
+  void add(const FaultSpec& fault);
+  void add(const DriveCommand& command);
+  void add(const WorldChange& change);
   void kidnap();
   void kidnap_on_request();
   void take_commands();
@@ -75,7 +80,6 @@ struct Simulation::State {
   void take_new_world();
   void find_ways();
   [[nodiscard]] bool has_room(const WorldChange& change) const;
-  void require_open() const;
   void teleport(KidnapRecord record);
   void require_level_support() const;
   [[nodiscard]] bool localized() const;
@@ -116,7 +120,7 @@ struct Simulation::State {
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] Of base in map.
   std::optional<Pose2> watched;
   double watched_z = 0.0;          ///< [m]
-  std::size_t next_command = 0;    ///< In `config.commands`.
+  std::size_t next_command = 0;    ///< In `config.events.commands`.
   std::optional<Pose2> requested;  ///< Target of a kidnap that is due at the next step.
   double distance = 0.0;
   std::vector<SimFrame> noted;  ///< Changes of the world, to be delivered with the next step.

@@ -5,6 +5,7 @@
 
 #include "python/src/arrays.hpp"
 #include "python/src/scan.hpp"
+#include "tools/run/event_names.hpp"
 
 namespace castaway::python {
 namespace {
@@ -96,9 +97,9 @@ void bind_event(py::module_& module) {
       .def_property_readonly(
           "stamp_ns", [](const RunEvent& e) { return e.stamp.count(); }, "[ns]")
       .def_property_readonly(
-          "kind", [](const RunEvent& e) { return event_name(e.kind); },
+          "kind", [](const RunEvent& e) { return names_of(e.what).kind; },
           "'kidnap', 'pick-up', 'collision', 'fault on', ...")
-      .def_readonly("detail", &RunEvent::detail)
+      .def_property_readonly("detail", [](const RunEvent& e) { return names_of(e.what).detail; })
       .def_property_readonly(
           "pose_from", [](const RunEvent& e) { return to_python(e.T_map_from); },
           "True pose of base in map before.")

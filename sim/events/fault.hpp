@@ -1,40 +1,15 @@
 /// Faults of sensors at given times of a run.
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <string>
 #include <vector>
 
 #include "sim/common/geometry.hpp"
+#include "sim/record/happening.hpp"
 
 namespace castaway::sim {
 
-/// Kinds of faults.
-enum class FaultKind {
-  kLidarDropout,      ///< No scans arrive.
-  kLidarFrozen,       ///< The last scan is repeated with new stamps.
-  kLidarBlocked,      ///< Something near covers a sector.
-  kLidarMount,        ///< The reported mount of the lidar is wrong.
-  kLidarLate,         ///< Scans are delivered late.
-  kLidarClock,        ///< Scans are stamped by a clock with an offset.
-  kOdometryFrozen,    ///< Readings do not change; motion during the fault is lost.
-  kOdometryScale,     ///< Encoders count too much or too little.
-  kOdometryReversed,  ///< The encoder of one wheel counts backwards.
-  kOdometryDropout,   ///< No readings arrive; the next one contains the motion meanwhile.
-  kOdometryReset,     ///< A power cycle: odometry starts from zero.
-};
-
-/// Names of the kinds, in their order.
-inline constexpr std::array<const char*, 11> kFaultNames = {
-    "lidar-dropout",     "lidar-frozen",     "lidar-blocked",   "lidar-mount",
-    "lidar-late",        "lidar-clock",      "odometry-frozen", "odometry-scale",
-    "odometry-reversed", "odometry-dropout", "odometry-reset"};
-
-/// The name of a kind, as in `kFaultNames`.
-constexpr const char* to_string(FaultKind kind) {
-  return kFaultNames[static_cast<std::size_t>(kind)];
-}
 /// True for faults of a lidar, false for those of odometry.
 constexpr bool is_lidar_fault(FaultKind kind) { return kind <= FaultKind::kLidarClock; }
 

@@ -21,29 +21,6 @@ void check(const KidnapSpec& spec, const Bounds& bounds, const char* name, doubl
 
 }  // namespace
 
-std::string to_string(KidnapKind kind) {
-  switch (kind) {
-    case KidnapKind::kTeleportRandom:
-      return "teleport";
-    case KidnapKind::kTeleportTo:
-      return "teleport_to";
-    case KidnapKind::kLookAlike:
-      return "look_alike";
-    case KidnapKind::kNudge:
-      return "nudge";
-    case KidnapKind::kTurn:
-      return "turn";
-    case KidnapKind::kCarry:
-      return "carry";
-    case KidnapKind::kSpin:
-      return "spin";
-    case KidnapKind::kElevator:
-      return "elevator";
-    default:
-      return "pallet_truck";
-  }
-}
-
 void validate(const KidnapSpec& spec) {
   validate(spec.when);
   if (spec.kind == KidnapKind::kTeleportTo && !spec.target) {

@@ -2,30 +2,14 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
 #include <optional>
-#include <string>
 
 #include "sim/common/geometry.hpp"
 #include "sim/events/kidnap_trigger.hpp"
 #include "sim/events/lift.hpp"
+#include "sim/record/happening.hpp"
 
 namespace castaway::sim {
-
-/// Kinds of kidnaps.
-enum class KidnapKind : std::uint8_t {
-  kTeleportRandom,  ///< To a random pose in reachable free space, far enough away.
-  kTeleportTo,      ///< To `target`.
-  kLookAlike,  ///< To the pose, far enough away, whose scan is most similar to the current one.
-  /// Pushed through free space by a distance in `nudge`; heading changes by at most 0.3 rad.
-  kNudge,
-  kTurn,   ///< Turned in place by an angle in `turn`, to either side.
-  kCarry,  ///< Lifted, carried through free space to `target` or to a random pose, and put down.
-  kSpin,   ///< Lifted while its wheels keep turning, and put down where it was.
-  /// Taken to another level by a lift whose doors are closed: the lidars see nothing.
-  kElevator,
-  kPalletTruck,  ///< As kCarry, close to the floor and over ramps; the lidars see.
-};
 
 /// A closed interval.
 struct Bounds {
@@ -64,10 +48,6 @@ struct KidnapRecord {
   double z_from = 0.0;    ///< [m] Height of the ground before.
   double z_to = 0.0;      ///< [m] Height of the ground after.
 };
-
-/// "teleport", "teleport_to", "look_alike", "nudge", "turn", "carry", "spin", "elevator",
-/// "pallet_truck": the name in logs and scenarios.
-std::string to_string(KidnapKind kind);
 
 /// @throws std::invalid_argument naming the field and the remedy.
 void validate(const KidnapSpec& spec);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/world/door.hpp"
+#include "sim/world/footprint.hpp"
 
 namespace castaway::sim {
 namespace {
@@ -110,20 +111,22 @@ std::string name_of(const WorldChange& change) {
                     change.what);
 }
 
-std::string to_string(const WorldChange& change) {
-  return std::visit(
-      OneOf{[](const PutObject& put) { return fmt::format("{} put", put.object.name); },
-            [](const TakeObject& taken) { return fmt::format("{} taken away", taken.name); },
-            [](const TurnDoor& door) {
-              return door.open_deg == 0.0
-                         ? fmt::format("{} closed", door.name)
-                         : fmt::format("{} open by {:g} deg", door.name, door.open_deg);
+WorldNews news_of(const WorldChange& change, const WorldSpec& world) {
+  using What = WorldNews::What;
+  WorldNews news;
+  news.what = std::visit(
+      OneOf{[](const PutObject& put) -> What { return WorldNews::Put{put.object.name}; },
+            [](const TakeObject& take) -> What { return WorldNews::Take{take.name}; },
+            [](const TurnDoor& door) -> What {
+              return WorldNews::Door{door.name, door.open_deg};
             },
-            [](const AddPeople& people) {
-              return people.count == 1 ? std::string("a person came")
-                                       : fmt::format("{} people came", people.count);
-            }},
+            [](const AddPeople& people) -> What { return WorldNews::People{people.count}; }},
       change.what);
+  if (const auto solid = solid_of(change, world)) {
+    news.outline = footprint(*solid).points;
+    news.z = {bounds(*solid).min().z(), bounds(*solid).max().z()};
+  }
+  return news;
 }
 
 }  // namespace castaway::sim

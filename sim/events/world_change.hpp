@@ -8,6 +8,7 @@
 
 #include "sim/common/geometry.hpp"
 #include "sim/people/bodies/person.hpp"
+#include "sim/record/happening.hpp"
 #include "sim/world/world.hpp"
 
 namespace castaway::sim {
@@ -60,7 +61,7 @@ std::optional<WorldObject> solid_of(const WorldChange& change, const WorldSpec& 
 /// Name of the object or door that a change is about; empty: it is about people.
 std::string name_of(const WorldChange& change);
 
-/// In a few words: "door D1 open by 90 deg", "box-1 put", "3 people came".
-std::string to_string(const WorldChange& change);
+/// What is told of a change, with the outline of what it leaves in the world as it was before.
+WorldNews news_of(const WorldChange& change, const WorldSpec& world);
 
 }  // namespace castaway::sim

@@ -58,7 +58,7 @@ Twist2 Navigator::drive(const Pose2& T_map_base, const std::vector<Eigen::Vector
   const auto lane = route_.lane();
   if (!lane) return {};
   if (const auto recovery = recoveries_.watch(live_.T_odom_base())) {
-    events_.push_back(to_string(*recovery));
+    events_.push_back({*recovery});
     if (*recovery == Recovery::kReplan) {
       const Grid seen = with_points(map_, T_map_base, p_base);
       route_.detour(T_map_base, FreeSpace(seen, plan_radius(config_)));
@@ -89,10 +89,10 @@ Twist2 Navigator::command(const std::optional<Pose2>& T_map_base) {
   const EmergencyStop::Order order =
       stop_.watch(live_.twist(), p_base,
                   [&](const Eigen::Vector2d& p) { return watch_.velocity_at(p, *T_map_base); });
-  if (order.begins) events_.emplace_back("emergency stop");
+  if (order.begins) events_.push_back({Driving::Stop{}});
   return order.stop ? Twist2{} : twist;
 }
 
-std::vector<std::string> Navigator::take_events() { return std::exchange(events_, {}); }
+std::vector<Driving> Navigator::take_events() { return std::exchange(events_, {}); }
 
 }  // namespace castaway::sim

@@ -43,7 +43,7 @@ class Navigator {
   /// Waypoints reached so far.
   [[nodiscard]] int waypoints_reached() const { return route_.waypoints_reached(); }
   /// Names of the recoveries begun, and "emergency stop"s, since the last call.
-  [[nodiscard]] std::vector<std::string> take_events();
+  [[nodiscard]] std::vector<Driving> take_events();
 
  private:
   Twist2 drive(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& p_base);
@@ -56,7 +56,7 @@ class Navigator {
   Passing passing_;
   Recoveries recoveries_;
   EmergencyStop stop_;
-  std::vector<std::string> events_;
+  std::vector<Driving> events_;
 };
 
 }  // namespace castaway::sim

@@ -24,11 +24,6 @@ double roomier_side(const std::vector<Eigen::Vector2d>& p_base) {
 
 }  // namespace
 
-std::string to_string(Recovery recovery) {
-  static const std::array<const char*, 4> kNames{"wait", "re-plan", "back up", "spin"};
-  return kNames[static_cast<std::size_t>(recovery)];
-}
-
 std::optional<Recovery> Recoveries::watch(const Pose2& T_odom_base) {
   const Eigen::Vector2d p = T_odom_base.position();
   if (active_) return std::nullopt;

@@ -1,27 +1,15 @@
 /// Recovery behaviours of a robot that makes no progress: wait, re-plan, back up, spin.
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "sim/common/geometry.hpp"
+#include "sim/record/happening.hpp"
 
 namespace castaway::sim {
-
-/// Recovery behaviours, in the order in which they are tried.
-enum class Recovery : std::uint8_t {
-  kWait,    ///< Stands still: what is in the way may go.
-  kReplan,  ///< Plans around the obstacles that the lidars see.
-  kBackUp,  ///< Drives back a little.
-  kSpin,    ///< Turns by 90 degrees to the side with more room.
-};
-
-/// "wait", "re-plan", "back up", "spin": the name in logs.
-std::string to_string(Recovery recovery);
 
 /// Parameters of the recoveries.
 struct RecoveryTimes {

@@ -28,13 +28,6 @@ struct PersonReading {
   double gap = 0.0;
 };
 
-/// The robot ran into a person.
-struct PersonHit {
-  std::chrono::nanoseconds stamp{};
-  int person = 0;  ///< Number of the person.
-  Pose2 T_map_base_true;
-};
-
 /// One scan; of a 3-D lidar, one revolution of all layers.
 struct LidarReading {
   std::chrono::nanoseconds stamp{};           ///< Of the first beam, by the lidar's clock.

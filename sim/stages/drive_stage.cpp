@@ -69,8 +69,8 @@ void DriveStage::on_scan(const LidarReading& scan, const LidarConfig& lidar) {
   if (navigator_) navigator_->on_scan(scan, lidar);
 }
 
-std::vector<std::string> DriveStage::take_events() {
-  return navigator_ ? navigator_->take_events() : std::vector<std::string>{};
+std::vector<Driving> DriveStage::take_events() {
+  return navigator_ ? navigator_->take_events() : std::vector<Driving>{};
 }
 
 }  // namespace castaway::sim

@@ -47,7 +47,7 @@ class DriveStage {
     return navigator_ ? navigator_->waypoints_reached() : route_->waypoints_reached();
   }
   /// Recoveries and emergency stops since the last call.
-  [[nodiscard]] std::vector<std::string> take_events();
+  [[nodiscard]] std::vector<Driving> take_events();
 
  private:
   [[nodiscard]] bool is_estimate_right(const Pose2& T_map_base) const;

@@ -78,7 +78,7 @@ KidnapStage::KidnapStage(const SimulationConfig& config, Spaces& spaces, const R
       scene_(&scene),
       lidar_(config.lidars.front()),
       keep_clear_(config.robot.footprint_radius + PersonBody{}.radius + kClearOfPeople) {
-  for (const KidnapSpec& spec : config.kidnaps) add(spec, config.start);
+  for (const KidnapSpec& spec : config.events.kidnaps) add(spec, config.start);
 }
 
 void KidnapStage::add(const KidnapSpec& spec, const Pose2& T_map_base) {
@@ -148,7 +148,7 @@ KidnapOutcome KidnapStage::begin_lift(const Entry& entry, const KidnapInput& inp
   Lift lift(entry.spec.lift, way_of(entry, from, target.T_map_base));
   held_ = std::make_unique<Held>(Held{&entry.spec, record, std::move(lift)});
   KidnapOutcome outcome;
-  outcome.picked_up = PickUpRecord{input.now, entry.spec.kind, from};
+  outcome.picked_up = PickUp{entry.spec.kind};
   return outcome;
 }
 

@@ -30,8 +30,8 @@ struct KidnapInput {
 
 /// Result of a step.
 struct KidnapOutcome {
-  std::optional<PickUpRecord> picked_up;  ///< The robot has just been lifted.
-  std::optional<KidnapRecord> done;       ///< The robot stands at `T_map_to` from now on.
+  std::optional<PickUp> picked_up;   ///< The robot has just been lifted.
+  std::optional<KidnapRecord> done;  ///< The robot stands at `T_map_to` from now on.
 };
 
 /// Runs the kidnaps of a run, one at a time: others wait while the robot is held, and a kidnap that

@@ -17,7 +17,7 @@ bool slips(const SimulationConfig& config) {
 
 OdometrySensor::OdometrySensor(const SimulationConfig& config, const SimulationStreams& streams)
     : rng_(streams.odometry),
-      faults_(config.faults),
+      faults_(config.events.faults),
       odometry_(config.odometry, drive_geometry(config.robot), rng_) {
   if (slips(config)) {
     slip_.emplace(config.odometry.slip, drive_geometry(config.robot), config.world.slip_zones,

@@ -2,19 +2,12 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
 #include <optional>
 
 #include "sim/common/geometry.hpp"
+#include "sim/record/happening.hpp"
 
 namespace castaway::sim {
-
-/// Why a run is void.
-enum class VoidReason : std::uint8_t {
-  kContactFromStart,  ///< The robot touches an obstacle from the first second on.
-  kNeverMoved,        ///< The robot was to drive and never moved.
-  kStuck,  ///< The robot was to drive and got stuck until the end, or for most of the run.
-};
 
 /// The reason why a run is void.
 struct VoidRecord {

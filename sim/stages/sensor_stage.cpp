@@ -45,14 +45,14 @@ std::vector<LidarConfig> require_own_names(const std::vector<LidarConfig>& lidar
 SensorStage::SensorStage(const SimulationConfig& config, const SimulationStreams& streams)
     : scene_(ray_primitives(config.world)),
       configs_(require_own_names(config.lidars)),
-      timeline_(config.faults),
+      timeline_(config.events.faults),
       odometry_(config, streams),
       odometry_period_(std::llround(1e9 / config.odometry.rate_hz)) {
   if (config.imu) imu_.emplace(*config.imu, imu_stream(streams));
   const Surfaces surfaces(config.world);
   for (const LidarConfig& lidar : configs_) {
     devices_.push_back({LidarSweeper(lidar, surfaces, lidar_draws(streams, lidar)),
-                        LidarFaults(config.faults, lidar, config.open)});
+                        LidarFaults(config.events.faults, lidar, config.open)});
   }
 }
 

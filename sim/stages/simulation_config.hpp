@@ -12,10 +12,7 @@
 
 #include "sim/common/geometry.hpp"
 #include "sim/common/random.hpp"
-#include "sim/events/drive_command.hpp"
-#include "sim/events/fault.hpp"
-#include "sim/events/kidnap.hpp"
-#include "sim/events/world_change.hpp"
+#include "sim/events/event_lists.hpp"
 #include "sim/map/grid.hpp"
 #include "sim/navigation/twist_log.hpp"
 #include "sim/people/people_config.hpp"
@@ -63,10 +60,7 @@ struct SimulationConfig {
   OdometryConfig odometry;
   std::optional<ImuConfig> imu{};  ///< Nothing: the robot has none.
   DriveConfig drive;
-  std::vector<KidnapSpec> kidnaps;
-  std::vector<FaultSpec> faults{};
-  std::vector<DriveCommand> commands{};  ///< In order of time.
-  std::vector<WorldChange> changes{};
+  EventLists events;
   /// Events may be added while it runs (`Simulation::add`). A run that is configured with them
   /// gives the same bytes.
   bool open = false;

@@ -63,9 +63,9 @@ TEST(OpenSimulation, AKidnapThatIsAddedEqualsOneThatIsConfigured) {
       simulation.add(kidnap_at(at_s));
       simulation.add(kidnap_at(at_s + 1.0));
     });
-    config.kidnaps = {kidnap_at(at_s), kidnap_at(at_s + 1.0)};
-    EXPECT_EQ(added, played(config)) << to_string(kind);
-    EXPECT_NE(added, played(open_simulation())) << to_string(kind);
+    config.events.kidnaps = {kidnap_at(at_s), kidnap_at(at_s + 1.0)};
+    EXPECT_EQ(added, played(config)) << static_cast<int>(kind);
+    EXPECT_NE(added, played(open_simulation())) << static_cast<int>(kind);
   }
 }
 
@@ -79,7 +79,7 @@ TEST(OpenSimulation, AFaultThatIsAddedEqualsOneThatIsConfigured) {
       fault.at_s = to_seconds(simulation.now());
       simulation.add(fault);
     });
-    config.faults = {fault};
+    config.events.faults = {fault};
     EXPECT_EQ(added, played(config)) << to_string(fault.kind);
     EXPECT_NE(added, played(open_simulation())) << to_string(fault.kind);
   }
@@ -89,9 +89,9 @@ TEST(OpenSimulation, ACommandThatIsAddedEqualsOneThatIsConfigured) {
   SimulationConfig config = test_simulation();
   const std::uint64_t added = played_with(2.0, [&](Simulation& simulation) {
     const double now_s = to_seconds(simulation.now());
-    config.commands = {{now_s, Twist2{0.1, 0.5}}, {now_s + 2.0, std::nullopt}};
-    simulation.add(config.commands[1]);
-    simulation.add(config.commands[0]);
+    config.events.commands = {{now_s, Twist2{0.1, 0.5}}, {now_s + 2.0, std::nullopt}};
+    simulation.add(config.events.commands[1]);
+    simulation.add(config.events.commands[0]);
   });
   EXPECT_EQ(added, played(config));
   EXPECT_NE(added, played(open_simulation()));

@@ -21,7 +21,7 @@ TEST(SimulationDrive, DrivesOnAfterAKidnapWithoutHittingAnything) {
     auto config = noisy_kidnap_simulation();
     config.random_start = true;
     config.duration = seconds(60);
-    config.kidnaps.push_back({.when = {.value = 20.0}, .min_distance_m = 1.0});
+    config.events.kidnaps.push_back({.when = {.value = 20.0}, .min_distance_m = 1.0});
     Simulation simulation(config, test_streams(seed));
     while (simulation.next()) {
     }
@@ -99,7 +99,7 @@ TEST(SimulationErrors, RefusesAStartInAWall) {
 
 TEST(SimulationErrors, RefusesAKidnapIntoTheTableFromTheStart) {
   auto config = test_simulation();
-  config.kidnaps = {
+  config.events.kidnaps = {
       {.kind = KidnapKind::kTeleportTo, .when = {.value = 9.0}, .target = Pose2{0.3, 0.2, 0.0}}};
   EXPECT_THAT(error_of(config), testing::HasSubstr("kidnap at 9 s"));
 }

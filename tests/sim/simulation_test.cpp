@@ -9,6 +9,7 @@
 
 #include "sim/sensor/lidar.hpp"
 #include "tests/sim/support/frame_hash.hpp"
+#include "tests/sim/support/happenings.hpp"
 #include "tests/sim/support/test_world.hpp"
 
 namespace castaway::sim {
@@ -48,7 +49,7 @@ TEST(Simulation, DeliversEverySensorAtItsRate) {
 
 TEST(Simulation, DeliversInOrderAndScansWithTheirLastBeam) {
   auto config = test_simulation();
-  config.kidnaps = {{.when = {.value = 2.0}, .min_distance_m = 2.0}};
+  config.events.kidnaps = {{.when = {.value = 2.0}, .min_distance_m = 2.0}};
   const auto frames = run(config, 1);
   for (std::size_t i = 1; i < frames.size(); ++i) {
     ASSERT_LE(frames[i - 1].stamp, frames[i].stamp);
@@ -128,11 +129,11 @@ SimulationConfig many_kidnaps() {
   const std::vector<KidnapKind> kinds{KidnapKind::kNudge, KidnapKind::kTurn, KidnapKind::kLookAlike,
                                       KidnapKind::kSpin, KidnapKind::kCarry};
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    config.kidnaps.push_back({.kind = kinds[i],
-                              .when = {.value = 8.0 + 4.0 * static_cast<double>(i)},
-                              .min_distance_m = 2.0,
-                              .lift = {.height = 0.3, .seconds = 2.0},
-                              .power_cycle = kinds[i] == KidnapKind::kCarry});
+    config.events.kidnaps.push_back({.kind = kinds[i],
+                                     .when = {.value = 8.0 + 4.0 * static_cast<double>(i)},
+                                     .min_distance_m = 2.0,
+                                     .lift = {.height = 0.3, .seconds = 2.0},
+                                     .power_cycle = kinds[i] == KidnapKind::kCarry});
   }
   return config;
 }
@@ -143,14 +144,14 @@ TEST(Simulation, DoesKidnapsOfAllKindsAndRepeatsThemToTheBit) {
     config.drive_model = model;
     const auto frames = run(config, 5);
     EXPECT_EQ(all_of<KidnapRecord>(frames).size(), 6U);
-    EXPECT_EQ(all_of<PickUpRecord>(frames).size(), 2U);
+    EXPECT_EQ(happenings_of<PickUp>(frames).size(), 2U);
     EXPECT_EQ(hash_of(frames), hash_of(run(config, 5)));
   }
 }
 
 TEST(Simulation, ALiftedRobotIsInTheAirAndItsWheelsGoOn) {
   SimulationConfig config = test_simulation();
-  config.kidnaps = {
+  config.events.kidnaps = {
       {.kind = KidnapKind::kSpin, .when = {.value = 4.0}, .lift = {.height = 0.3, .seconds = 3.0}}};
   const auto frames = run(config, 1);
   const auto kidnaps = all_of<KidnapRecord>(frames);
@@ -166,7 +167,8 @@ TEST(Simulation, ALiftedRobotIsInTheAirAndItsWheelsGoOn) {
 
 TEST(Simulation, APowerCycleIsSilentAndOdometryBeginsAnew) {
   SimulationConfig config = test_simulation();
-  config.kidnaps = {{.kind = KidnapKind::kSpin, .when = {.value = 4.0}, .power_cycle = true}};
+  config.events.kidnaps = {
+      {.kind = KidnapKind::kSpin, .when = {.value = 4.0}, .power_cycle = true}};
   for (const SimFrame& frame : run(config, 1)) {
     const bool sensor = std::holds_alternative<LidarReading>(frame.data) ||
                         std::holds_alternative<OdometryReading>(frame.data);
@@ -180,9 +182,9 @@ TEST(Simulation, APowerCycleIsSilentAndOdometryBeginsAnew) {
 
 TEST(Simulation, ACoveredLidarSeesNothingWhileItIsCarried) {
   SimulationConfig config = test_simulation();
-  config.kidnaps = {{.kind = KidnapKind::kSpin,
-                     .when = {.value = 4.0},
-                     .lift = {.seconds = 2.0, .covered = true}}};
+  config.events.kidnaps = {{.kind = KidnapKind::kSpin,
+                            .when = {.value = 4.0},
+                            .lift = {.seconds = 2.0, .covered = true}}};
   const auto scans = all_of<LidarReading>(run(config, 1));
   const auto seen = [](const LidarReading& scan) {
     return std::count_if(scan.ranges.begin(), scan.ranges.end(),
@@ -195,7 +197,7 @@ TEST(Simulation, ACoveredLidarSeesNothingWhileItIsCarried) {
 
 TEST(Simulation, KidnapsOnceTheWatchedLocalizerIsRightAndSure) {
   SimulationConfig config = test_simulation();
-  config.kidnaps = {{.when = {KidnapTrigger::On::kLocalized, 2.0}, .min_distance_m = 2.0}};
+  config.events.kidnaps = {{.when = {KidnapTrigger::On::kLocalized, 2.0}, .min_distance_m = 2.0}};
   Simulation wrong(config, test_streams(1));
   while (const auto frame = wrong.next()) {
     EXPECT_FALSE(std::holds_alternative<KidnapRecord>(frame->data));

@@ -134,8 +134,8 @@ PreparedSimulation assemble(const Scenario& scenario, const std::filesystem::pat
   config.robot = std::move(robot.robot);
   config.lidars = robot.lidars;
   config.spaces = world.spaces ? world.spaces : std::make_shared<sim::Spaces>();
-  config.faults = scenario.events.faults;
-  check_faults(config.faults, robot.lidars);
+  config.events = scenario.events.simulated;
+  check_faults(config.events.faults, robot.lidars);
   config.odometry = scenario.odometry;
   config.imu = scenario.imu;
   config.levels = levels_of(world.file.spec, prepared);
@@ -143,9 +143,6 @@ PreparedSimulation assemble(const Scenario& scenario, const std::filesystem::pat
       scenario, base,
       {&world.file.routes, &world.grid, config.spaces.get(), world.file.spec.name, config.levels},
       config.robot);
-  config.kidnaps = scenario.events.kidnaps;
-  config.commands = scenario.events.commands;
-  config.changes = scenario.events.changes;
   config.people = scenario.people.config;
   config.duration = localization::from_seconds(scenario.duration_s);
   config.physics_hz = scenario.physics_hz;

@@ -31,9 +31,20 @@ PeopleTruth people_of(const sim::LidarReading& reading) {
   return truth;
 }
 
-std::string name_of(const sim::FaultRecord& fault) {
-  const std::string kind = sim::to_string(fault.kind);
-  return fault.lidar.empty() ? kind : kind + " " + fault.lidar;
+/// A change of the world is not about the robot.
+bool has_pose(const sim::Happening& what) { return !std::holds_alternative<sim::WorldNews>(what); }
+
+RunEvent event_of(const sim::HappeningRecord& record) {
+  RunEvent event{record.stamp,
+                 std::visit([](const auto& what) -> EventData { return what; }, record.what)};
+  if (has_pose(record.what)) event.T_map_from = event.T_map_to = to_se2(record.T_map_base);
+  return event;
+}
+
+RunEvent event_of(const sim::KidnapRecord& record, bool heights) {
+  KidnapEvent kidnap{record.kind};
+  if (heights) kidnap.heights = {{record.z_from, record.z_to}};
+  return {record.stamp, kidnap, to_se2(record.T_map_from), to_se2(record.T_map_to), record.since};
 }
 
 }  // namespace
@@ -66,19 +77,7 @@ sim::Grid to_sim_grid(const RosMap& map) {
 
 Frame SimFrameConverter::frame(const sim::SimFrame& frame) const {
   if (const auto* kidnap = std::get_if<sim::KidnapRecord>(&frame.data)) {
-    RunEvent event{kidnap->stamp,
-                   EventKind::kKidnap,
-                   sim::to_string(kidnap->kind),
-                   to_se2(kidnap->T_map_from),
-                   to_se2(kidnap->T_map_to),
-                   kidnap->since};
-    if (heights_) event.heights = {{kidnap->z_from, kidnap->z_to}};
-    return {frame.stamp, std::move(event)};
-  }
-  if (const auto* pick_up = std::get_if<sim::PickUpRecord>(&frame.data)) {
-    const SE2 T_map_base = to_se2(pick_up->T_map_base);
-    return {frame.stamp, RunEvent{pick_up->stamp, EventKind::kPickUp, sim::to_string(pick_up->kind),
-                                  T_map_base, T_map_base}};
+    return {frame.stamp, event_of(*kidnap, heights_)};
   }
   if (const auto* odometry = std::get_if<sim::OdometryReading>(&frame.data)) {
     OdometryFrame reading{{odometry->stamp, to_se2(odometry->T_odom_base)},
@@ -86,28 +85,8 @@ Frame SimFrameConverter::frame(const sim::SimFrame& frame) const {
     if (heights_) reading.T_footprint_base_true = odometry->T_footprint_base_true;
     return {frame.stamp, std::move(reading)};
   }
-  if (const auto* driving = std::get_if<sim::DriveRecord>(&frame.data)) {
-    const SE2 T_map_base = to_se2(driving->T_map_base);
-    return {frame.stamp,
-            RunEvent{driving->stamp, EventKind::kDriving, driving->what, T_map_base, T_map_base}};
-  }
-  if (const auto* change = std::get_if<sim::WorldRecord>(&frame.data)) {
-    RunEvent event{change->stamp, EventKind::kWorld, change->what, {}, {}};
-    event.object = change->name;
-    event.outline = change->outline;
-    event.outline_z = change->z;
-    return {frame.stamp, std::move(event)};
-  }
-  if (const auto* hit = std::get_if<sim::PersonHit>(&frame.data)) {
-    const SE2 T_map_base = to_se2(hit->T_map_base_true);
-    return {frame.stamp, RunEvent{hit->stamp, EventKind::kCollision,
-                                  "person " + std::to_string(hit->person), T_map_base, T_map_base}};
-  }
-  if (const auto* fault = std::get_if<sim::FaultRecord>(&frame.data)) {
-    const SE2 T_map_base = to_se2(fault->T_map_base_true);
-    return {frame.stamp,
-            RunEvent{fault->stamp, fault->begins ? EventKind::kFaultOn : EventKind::kFaultOff,
-                     name_of(*fault), T_map_base, T_map_base}};
+  if (const auto* happening = std::get_if<sim::HappeningRecord>(&frame.data)) {
+    return {frame.stamp, event_of(*happening)};
   }
   if (const auto* imu = std::get_if<sim::ImuReading>(&frame.data)) {
     return {frame.stamp, ImuFrame{{imu->stamp, imu->angular_velocity, imu->linear_acceleration}}};

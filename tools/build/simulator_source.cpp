@@ -7,7 +7,6 @@
 #include "localization/geometry/random.hpp"
 #include "sim/people/bodies/person_visuals.hpp"
 #include "tools/base/process/cpu_clock.hpp"
-#include "tools/run/metrics/void_run.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -16,17 +15,6 @@ namespace {
 Stamp begin_stamp(const Frame& frame) {
   const auto* scan = std::get_if<ScanFrame>(&frame.data);
   return scan != nullptr ? scan->scan.stamp : frame.stamp;
-}
-
-const char* reason_of(sim::VoidReason reason) {
-  switch (reason) {
-    case sim::VoidReason::kContactFromStart:
-      return kContactFromStart;
-    case sim::VoidReason::kNeverMoved:
-      return kNeverMoved;
-    default:
-      return kStuck;
-  }
 }
 
 }  // namespace
@@ -67,23 +55,22 @@ void SimulatorSource::take_next() {
   newest_ = frame->stamp;
   if (simulation_.collisions() != collisions_) {
     collisions_ = simulation_.collisions();
-    add_event(EventKind::kCollision, "", simulation_.true_pose());
+    add_event(sim::Collision{}, simulation_.true_pose());
   }
   if (const auto* kidnap = std::get_if<sim::KidnapRecord>(&frame->data)) note(*kidnap);
   pending_.push_back(converter_.frame(*frame));
 }
 
-void SimulatorSource::add_event(EventKind kind, const std::string& detail, const sim::Pose2& pose,
+void SimulatorSource::add_event(EventData what, const sim::Pose2& pose,
                                 std::optional<Stamp> since) {
   const SE2 T_map_base = to_se2(pose);
-  pending_.push_back({newest_, RunEvent{newest_, kind, detail, T_map_base, T_map_base, since}});
+  pending_.push_back({newest_, RunEvent{newest_, std::move(what), T_map_base, T_map_base, since}});
 }
 
 void SimulatorSource::finish() {
   over_ = true;
   const std::optional<sim::VoidRecord> found = simulation_.void_record();
-  if (found)
-    add_event(EventKind::kVoid, reason_of(found->reason), simulation_.true_pose(), found->since);
+  if (found) add_event(VoidEvent{found->reason}, simulation_.true_pose(), found->since);
 }
 
 void SimulatorSource::note(const sim::KidnapRecord& kidnap) {
@@ -92,7 +79,7 @@ void SimulatorSource::note(const sim::KidnapRecord& kidnap) {
       "kidnap at {:.2f} s: no free place at its min_distance_m or farther; it goes to the "
       "farthest, {:.2f} m away",
       seconds(kidnap.since), (kidnap.T_map_to.position() - kidnap.T_map_from.position()).norm()));
-  add_event(EventKind::kWarning, warnings_.back(), kidnap.T_map_from);
+  add_event(WarningEvent{warnings_.back()}, kidnap.T_map_from);
 }
 
 DriveNow SimulatorSource::drive_now(const std::vector<sim::DriveWheel>& wheels) const {

@@ -48,10 +48,7 @@ class SimulatorSource final : public SensorSource {
   void set_command(const std::optional<sim::Twist2>& command) { simulation_.set_command(command); }
   void kidnap(const SE2& T_map_base) { simulation_.kidnap(to_pose2(T_map_base)); }
   /// Add an event, as those of sim::Simulation do; its configuration must be open.
-  void add(const sim::KidnapSpec& kidnap) { simulation_.add(kidnap); }
-  void add(const sim::FaultSpec& fault) { simulation_.add(fault); }
-  void add(const sim::DriveCommand& command) { simulation_.add(command); }
-  void add(const sim::WorldChange& change) { simulation_.add(change); }
+  void add(const sim::EventSpec& event) { simulation_.add(event); }
   /// The world as it is now.
   [[nodiscard]] const sim::WorldSpec& world() const { return simulation_.world(); }
   /// Time of the next step, and the true pose of base then.
@@ -71,8 +68,7 @@ class SimulatorSource final : public SensorSource {
  private:
   std::optional<Frame> next_of_all();
   void take_next();
-  void add_event(EventKind kind, const std::string& detail, const sim::Pose2& pose,
-                 std::optional<Stamp> since = {});
+  void add_event(EventData what, const sim::Pose2& pose, std::optional<Stamp> since = {});
   void note(const sim::KidnapRecord& kidnap);
   void finish();
 

@@ -12,6 +12,7 @@
 #include "tools/outputs/records/recording.hpp"
 #include "tools/outputs/records/recording_blocks.hpp"
 #include "tools/outputs/records/recording_header.hpp"
+#include "tools/run/event_names.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -71,13 +72,12 @@ bool is_torn_by(const std::vector<RunEvent>& kidnaps, const ScanRecord& record) 
 }
 
 /// As if a door had just been turned.
-RunEvent leaf_event(const sim::Door& door, double open_deg) {
+FeedJson door_entry(const sim::Door& door, double open_deg) {
   const sim::WorldObject leaf = sim::door_leaf(door, open_deg);
-  RunEvent event;
-  event.object = door.name;
-  event.outline = sim::footprint(leaf).points;
-  event.outline_z = {sim::bounds(leaf).min().z(), sim::bounds(leaf).max().z()};
-  return event;
+  sim::WorldNews news{sim::WorldNews::Door{door.name, open_deg}};
+  news.outline = sim::footprint(leaf).points;
+  news.z = {sim::bounds(leaf).min().z(), sim::bounds(leaf).max().z()};
+  return change_entry({}, news);
 }
 
 /// Null within 2 mm and 2 mrad of the floor.
@@ -106,8 +106,8 @@ LiveFeed::LiveFeed(const RunInfo& info, const RosMap& map, double robot_radius_m
 void LiveFeed::set_doors(const sim::WorldSpec& world) {
   FeedJson doors = FeedJson::array();
   for (const sim::Door& door : world.doors) {
-    doors.push_back(change_entry(leaf_event(door, door.open_deg)));
-    doors.back()["closed"] = change_entry(leaf_event(door, 0.0))["outline"];
+    doors.push_back(door_entry(door, door.open_deg));
+    doors.back()["closed"] = door_entry(door, 0.0)["outline"];
   }
   header_["doors"] = std::move(doors);
 }
@@ -130,19 +130,25 @@ void LiveFeed::add_event(FeedJson event) {
 }
 
 void LiveFeed::on_event(const RunEvent& event) {
+  const EventNames names = names_of(event.what);
   FeedJson told = {{"time", rounded(localization::seconds(event.stamp))},
-                   {"kind", event_name(event.kind)},
-                   {"detail", event.detail},
-                   {"localizer", event.localizer},
+                   {"kind", names.kind},
+                   {"detail", names.detail},
+                   {"localizer", localizer_of(event.what)},
                    {"from", pose_json(event.T_map_from)},
                    {"to", pose_json(event.T_map_to)}};
-  if (event.heights) {
-    told["from_z"] = rounded(event.heights->x());
-    told["to_z"] = rounded(event.heights->y());
+  const auto* kidnap = event.as<KidnapEvent>();
+  if (kidnap != nullptr && kidnap->heights) {
+    told["from_z"] = rounded(kidnap->heights->x());
+    told["to_z"] = rounded(kidnap->heights->y());
   }
-  if (!event.object.empty()) told["change"] = change_entry(event);
+  const auto* news = event.as<sim::WorldNews>();
+  if (news != nullptr && !object_of(*news).empty()) {
+    told["change"] = change_entry(event.stamp, *news);
+  }
+  world_news_ = world_news_ || news != nullptr;
   add_event(std::move(told));
-  if (event.kind != EventKind::kKidnap) return;
+  if (kidnap == nullptr) return;
   if (kidnaps_.size() == kKeptKidnaps) kidnaps_.erase(kidnaps_.begin());
   kidnaps_.push_back(event);
 }
@@ -209,6 +215,7 @@ FeedJson LiveFeed::take_scans() {
 }
 
 FeedJson LiveFeed::take_events() {
+  world_news_ = false;
   return {{"said", "events"},
           {"first", event_count_ - events_.size()},
           {"events", std::exchange(events_, FeedJson::array())}};

@@ -74,6 +74,8 @@ class LiveFeed final : public RunSink {
   /// A hand drives from `at` on: {"v", "w"}; empty: the route does again.
   void on_drive(Stamp at, const nlohmann::ordered_json& command);
   [[nodiscard]] bool has_events() const { return !events_.empty(); }
+  /// True if one of them is a change of the world.
+  [[nodiscard]] bool has_world_news() const { return world_news_; }
   /// The events since the last call: {"said": "events", "first", "events"}, numbered like scans,
   /// each {time, kind, detail, localizer, from, to}, with `change` (`change_entry`) where the world
   /// changed, and `drive` where a hand drives.
@@ -91,6 +93,7 @@ class LiveFeed final : public RunSink {
   std::vector<std::string> blocks_;
   std::size_t count_ = 0;        ///< Scans,
   std::size_t event_count_ = 0;  ///< and events since the beginning.
+  bool world_news_ = false;
 };
 
 }  // namespace castaway::testbed

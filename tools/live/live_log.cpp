@@ -118,8 +118,9 @@ Stamp LiveLog::add(const std::string& event) {
     return now();
   }
   const EventSpecs specs = read_live_event(event, now(), 1).specs;
-  if (!specs.kidnaps.empty()) {
-    source_->jump(target_of(specs.kidnaps.front()));
+  const std::vector<sim::KidnapSpec>& kidnaps = specs.simulated.kidnaps;
+  if (!kidnaps.empty()) {
+    source_->jump(target_of(kidnaps.front()));
   } else if (!specs.orders.empty()) {
     add_orders(event);
   } else {

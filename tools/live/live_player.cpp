@@ -349,10 +349,8 @@ class LivePlayer {
 
   void tell_of_events() {
     if (!feed_->has_events()) return;
-    const PlayerJson said = feed_->take_events();
-    line_.say(said);
-    const bool changed = std::ranges::any_of(
-        said.at("events"), [](const PlayerJson& event) { return event.at("kind") == "world"; });
+    const bool changed = feed_->has_world_news();
+    line_.say(feed_->take_events());
     if (changed) say_scene();
   }
 

@@ -86,11 +86,8 @@ Stamp LiveRun::time_of(const std::string& event) const {
 }
 
 void LiveRun::apply(const EventSpecs& specs) {
-  check_faults(specs.faults, lidars_);
-  for (const sim::KidnapSpec& kidnap : specs.kidnaps) source_->add(kidnap);
-  for (const sim::FaultSpec& fault : specs.faults) source_->add(fault);
-  for (const sim::DriveCommand& command : specs.commands) source_->add(command);
-  for (const sim::WorldChange& change : specs.changes) source_->add(change);
+  check_faults(specs.simulated.faults, lidars_);
+  for (const sim::EventSpec& event : all_of(specs.simulated)) source_->add(event);
   for (const LocalizerOrder& order : specs.orders) loop_->add(order);
 }
 

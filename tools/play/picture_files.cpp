@@ -29,7 +29,7 @@ sim::WorldSpec part_of(sim::WorldSpec world, const std::set<std::string>& names,
 
 /// Objects that events change, with what they look like at first and after each change.
 std::map<std::string, PageStates> changing_states(const sim::SimulationConfig& config) {
-  std::vector<sim::WorldChange> changes = config.changes;
+  std::vector<sim::WorldChange> changes = config.events.changes;
   std::ranges::stable_sort(changes, {}, &sim::WorldChange::at_s);
   std::erase_if(changes, [](const sim::WorldChange& change) {
     return std::holds_alternative<sim::AddPeople>(change.what);
@@ -49,7 +49,7 @@ std::map<std::string, PageStates> changing_states(const sim::SimulationConfig& c
 }
 
 PageScene page_scene_of(const sim::SimulationConfig& config) {
-  const std::set<std::string> changing = changing_objects(config.changes);
+  const std::set<std::string> changing = changing_objects(config.events.changes);
   PageScene scene{page_world(part_of(config.world, changing, false)),
                   robot_items(config.robot, config.lidars)};
   scene.changing = changing_states(config);
@@ -68,7 +68,7 @@ std::function<std::optional<double>(const Eigen::Vector2d&)> lowest_ground_of(
 PictureWorld picture_world_of(const PreparedSimulation& prepared) {
   PictureWorld world;
   const sim::WorldSpec fixed =
-      part_of(prepared.config.world, changing_objects(prepared.config.changes), false);
+      part_of(prepared.config.world, changing_objects(prepared.config.events.changes), false);
   world.world = sim::world_visuals(fixed);
   std::vector<sim::SceneItem> open = sim::world_visuals_from_above(fixed);
   if (open.size() < world.world.size() || corners_of(open) < corners_of(world.world)) {
@@ -87,7 +87,7 @@ PictureWorld picture_world_of(const PreparedSimulation& prepared) {
 }
 
 std::map<int, std::string> instances_of(const sim::SimulationConfig& config) {
-  const sim::WorldSpec world = sim::world_after(config.world, config.changes);
+  const sim::WorldSpec world = sim::world_after(config.world, config.events.changes);
   std::map<int, std::string> instances;
   for (std::size_t i = 0; i < world.objects.size(); ++i) {
     instances[sim::kFirstObjectInstance + static_cast<int>(i)] = world.objects[i].name;

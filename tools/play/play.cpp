@@ -39,13 +39,13 @@ void enable_intensities(sim::SimulationConfig& config) {
 
 /// With everything that events put into it.
 sim::WorldSpec final_world(const sim::SimulationConfig& config) {
-  return sim::world_after(config.world, config.changes);
+  return sim::world_after(config.world, config.events.changes);
 }
 
 /// True if there are people at any time.
 bool has_people(const sim::SimulationConfig& config) {
   return config.people.count() > 0 ||
-         std::ranges::any_of(config.changes, [](const sim::WorldChange& change) {
+         std::ranges::any_of(config.events.changes, [](const sim::WorldChange& change) {
            return std::holds_alternative<sim::AddPeople>(change.what);
          });
 }
@@ -170,7 +170,7 @@ Run build_run(const LoadedScenario& loaded, const PlayOptions& options, Prepared
   std::optional<BridgeConfig> bridge;
   if (options.bridge) bridge = bridge_of(options, scenario, prepared);
   std::vector<sim::DriveWheel> wheels = prepared.config.robot.wheels;
-  std::set<std::string> changing = changing_objects(prepared.config.changes);
+  std::set<std::string> changing = changing_objects(prepared.config.events.changes);
   const bool people = has_people(prepared.config);
   auto source = build_source(scenario, std::move(prepared.config));
   run.loop = loop_config(scenario, *source->start_pose(), source->start_height());

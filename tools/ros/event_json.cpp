@@ -6,6 +6,7 @@
 
 #include "tools/base/files/json_text.hpp"
 #include "tools/base/formats/json_file.hpp"
+#include "tools/run/event_names.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -31,13 +32,14 @@ std::optional<Stamp> stamp_of(const Json& json) {
 }  // namespace
 
 std::string event_json(const RunEvent& event) {
-  Json json = {{"kind", event_name(event.kind)},
-               {"detail", event.detail},
-               {"stamp_s", seconds(event.stamp)}};
+  const EventNames names = names_of(event.what);
+  Json json = {{"kind", names.kind}, {"detail", names.detail}, {"stamp_s", seconds(event.stamp)}};
   if (event.since) json["since_s"] = seconds(*event.since);
   if (event.T_map_from) json["from"] = pose_json(*event.T_map_from);
   if (event.T_map_to) json["to"] = pose_json(*event.T_map_to);
-  if (event.heights) json["heights"] = {event.heights->x(), event.heights->y()};
+  if (const auto* kidnap = event.as<KidnapEvent>(); kidnap != nullptr && kidnap->heights) {
+    json["heights"] = {kidnap->heights->x(), kidnap->heights->y()};
+  }
   return json_text(json);
 }
 
@@ -46,19 +48,20 @@ std::optional<RunEvent> event_of_json(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false);
   try {
     RunEvent event;
-    const std::optional<EventKind> kind = event_kind(json.at("kind").get<std::string>());
-    if (!kind) return std::nullopt;
-    event.kind = *kind;
-    event.detail = json.at("detail").get<std::string>();
+    const auto what =
+        event_named(json.at("kind").get<std::string>(), json.at("detail").get<std::string>());
+    if (!what) return std::nullopt;
+    event.what = *what;
     const std::optional<Stamp> stamp = stamp_of(json.at("stamp_s"));
     if (!stamp) return std::nullopt;
     event.stamp = *stamp;
     if (json.contains("since_s")) event.since = stamp_of(json.at("since_s"));
     event.T_map_from = pose_of(json, "from");
     event.T_map_to = pose_of(json, "to");
-    if (json.contains("heights")) {
+    auto* kidnap = std::get_if<KidnapEvent>(&event.what);
+    if (kidnap != nullptr && json.contains("heights")) {
       const Json& z = json.at("heights");
-      event.heights = {{z.at(0).get<double>(), z.at(1).get<double>()}};
+      kidnap->heights = {{z.at(0).get<double>(), z.at(1).get<double>()}};
     }
     return event;
   } catch (const Json::exception&) {

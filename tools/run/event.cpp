@@ -1,24 +1,23 @@
 #include "castaway/frame.hpp"
 
-#include <algorithm>
-#include <array>
-
 namespace castaway::testbed {
-namespace {
 
-constexpr std::array<const char*, 15> kNames = {
-    "kidnap",  "pick-up",  "collision",        "fault on",  "fault off",
-    "driving", "void",     "alarm on",         "alarm off", "recovery",
-    "warning", "operator", "localizer failed", "node",      "world"};
+std::string localizer_of(const EventData& what) {
+  return std::visit(
+      [](const auto& sort) -> std::string {
+        if constexpr (requires { sort.localizer; }) return sort.localizer;
+        return {};
+      },
+      what);
+}
 
-}  // namespace
-
-std::string event_name(EventKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
-
-std::optional<EventKind> event_kind(const std::string& name) {
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
-  if (found == kNames.end()) return std::nullopt;
-  return static_cast<EventKind>(found - kNames.begin());
+std::string object_of(const sim::WorldNews& news) {
+  return std::visit(
+      [](const auto& change) -> std::string {
+        if constexpr (requires { change.name; }) return change.name;
+        return {};
+      },
+      news.what);
 }
 
 }  // namespace castaway::testbed

@@ -24,7 +24,4 @@ struct LocalizerOrder {
   std::optional<localization::PoseWithCovariance> pose{};  ///< Of kInitialize, of base in map.
 };
 
-/// "initialize", "relocalize", "off", "on": the name in scenarios and logs.
-const char* to_string(LocalizerOrder::What what);
-
 }  // namespace castaway::testbed

@@ -63,14 +63,14 @@ void Loop::lose(std::size_t index, const std::string& what) {
   const std::string& name = localizers_[index].name;
   costs_[index].is_lost = true;
   lost_.push_back({name, what});
-  untold_.push_back({now_, EventKind::kFailure, what, {}, {}, {}, name});
+  untold_.push_back({now_, FailureEvent{what, name}});
 }
 
 void Loop::take_news(std::size_t index) {
   const NamedLocalizer& named = localizers_[index];
   if (!named.news) return;
   for (std::string& sentence : named.news()) {
-    untold_.push_back({now_, EventKind::kNode, std::move(sentence), {}, {}, {}, named.name});
+    untold_.push_back({now_, NodeEvent{std::move(sentence), named.name}});
   }
 }
 
@@ -138,8 +138,7 @@ void Loop::carry_out(const LocalizerOrder& order) {
   call(index, [&](auto& localizer) {
     localizer.initialize(order.what == What::kInitialize ? order.pose : std::nullopt);
   });
-  RunEvent event{order.at, EventKind::kOperator, to_string(order.what), {}, {},
-                 {},       order.localizer};
+  RunEvent event{order.at, OperatorEvent{order.what, order.localizer}};
   if (order.pose) event.T_map_to = order.pose->T_map_base;
   tell_sinks([&](RunSink& sink) { sink.on_event(event); });
 }
@@ -181,7 +180,7 @@ void Loop::take(SensorSource& source, const Frame& frame) {
 
 void Loop::take(const RunEvent& event) {
   for (std::size_t i = 0; i < localizers_.size(); ++i) {
-    if (!localizers_[i].relocalize_at_kidnap || event.kind != EventKind::kKidnap) continue;
+    if (!localizers_[i].relocalize_at_kidnap || !event.is<KidnapEvent>()) continue;
     call(i, [&](auto& localizer) { localizer.initialize(std::nullopt); });
   }
   tell_sinks([&](RunSink& sink) { sink.on_event(event); });

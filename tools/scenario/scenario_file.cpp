@@ -6,16 +6,13 @@
 #include "tools/scenario/sections/drive_yaml.hpp"
 #include "tools/scenario/sections/event_list.hpp"
 #include "tools/scenario/sections/expect_yaml.hpp"
-#include "tools/scenario/sections/fault_events.hpp"
 #include "tools/scenario/sections/joint_states.hpp"
 #include "tools/scenario/sections/kidnap_events.hpp"
 #include "tools/scenario/sections/lidar_yaml.hpp"
 #include "tools/scenario/sections/name_yaml.hpp"
 #include "tools/scenario/sections/odometry_yaml.hpp"
-#include "tools/scenario/sections/operator_events.hpp"
 #include "tools/scenario/sections/output_yaml.hpp"
 #include "tools/scenario/sections/people_yaml.hpp"
-#include "tools/scenario/sections/world_events.hpp"
 #include "tools/scenario/world/difference_yaml.hpp"
 #include "tools/scenario/yaml/nearest.hpp"
 #include "tools/scenario/yaml/settings.hpp"
@@ -140,18 +137,7 @@ std::vector<SettingText> scenario_settings() {
   fields(under("odometry."), scenario.odometry);
   sim::ImuConfig imu;
   fields(under("imu."), imu);
-  sim::KidnapSpec kidnap;
-  fields(under("events[].kidnap."), kidnap);
-  sim::FaultSpec fault;
-  fields(under("events[].fault."), fault);
-  sim::DriveCommand command;
-  fields(under("events[].drive."), command);
-  LocalizerOrder order;
-  fields(under("events[].localizer."), order);
-  for (const char* name : kWorldEvents) {
-    sim::WorldChange change;
-    fields(under(std::string("events[].") + name + "."), name, "", change);
-  }
+  describe_events(texts);
   fields(under("people."), scenario.people);
   describe_localizers(texts);
   describe_outputs(under("outputs."));
@@ -194,7 +180,7 @@ LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path&
   check_driver(root, scenario);
   choose_watched(root, scenario);
   check_orders(root, scenario);
-  if (!scenario.drive.path.empty() && !scenario.events.kidnaps.empty()) {
+  if (!scenario.drive.path.empty() && !scenario.events.simulated.kidnaps.empty()) {
     root.fail("'drive.path' leads the robot to the end: kidnaps need another drive");
   }
   scenario.outputs = read_outputs(root);

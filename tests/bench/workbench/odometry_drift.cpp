@@ -44,7 +44,7 @@ std::vector<DriftSegment> drift_segments(const Frames& frames, double length_m) 
   std::vector<Step> steps;
   for (const Frame& frame : frames) {
     const auto* event = std::get_if<RunEvent>(&frame.data);
-    if (event != nullptr && event->kind == EventKind::kKidnap) {
+    if (event != nullptr && event->is<KidnapEvent>()) {
       add_segments(steps, length_m, segments);
       steps.clear();
     }

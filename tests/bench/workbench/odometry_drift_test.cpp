@@ -40,7 +40,7 @@ TEST(OdometryDrift, AKidnapIsInNoSegment) {
   Frames frames = straight(12, 1.0);
   const Frames more = straight(12, 1.0);
   frames.emplace_back();
-  frames.back().data = RunEvent{Stamp(1), EventKind::kKidnap, "", {}, {}};
+  frames.back().data = RunEvent{Stamp(1), KidnapEvent{}};
   frames.insert(frames.end(), more.begin(), more.end());
   const auto segments = drift_segments(frames, 10.0);
   EXPECT_EQ(segments.size(), 6U);

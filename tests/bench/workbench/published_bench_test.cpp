@@ -9,7 +9,7 @@ TEST(PlayVariants, ScoresAllVariantsOnTheSameRuns) {
   Scenario scenario;
   scenario.duration_s = 12.0;
   scenario.drive.route = "none";
-  scenario.events.kidnaps.emplace_back().when.value = 1.0;
+  scenario.events.simulated.kidnaps.emplace_back().when.value = 1.0;
   std::vector<PublishedVariant> variants = published_variants();
   // The wrapping of yaw in the covariance changes no pose.
   variants = {variants.front(), variants.back(), variants.front()};

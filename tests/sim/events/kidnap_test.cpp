@@ -20,16 +20,6 @@ std::string kidnap_error(const KidnapSpec& spec) {
   return "";
 }
 
-TEST(Kidnap, HasAName) {
-  EXPECT_EQ(to_string(KidnapKind::kTeleportRandom), "teleport");
-  EXPECT_EQ(to_string(KidnapKind::kTeleportTo), "teleport_to");
-  EXPECT_EQ(to_string(KidnapKind::kLookAlike), "look_alike");
-  EXPECT_EQ(to_string(KidnapKind::kNudge), "nudge");
-  EXPECT_EQ(to_string(KidnapKind::kTurn), "turn");
-  EXPECT_EQ(to_string(KidnapKind::kCarry), "carry");
-  EXPECT_EQ(to_string(KidnapKind::kSpin), "spin");
-}
-
 TEST(Kidnap, RunsByItsDefaults) {
   for (const KidnapKind kind : {KidnapKind::kTeleportRandom, KidnapKind::kLookAlike,
                                 KidnapKind::kNudge, KidnapKind::kTurn, KidnapKind::kCarry}) {

@@ -48,12 +48,27 @@ TEST(WorldChange, ChecksItsValues) {
   EXPECT_NO_THROW(validate(of(0.0, AddPeople{{}, 6})));
 }
 
-TEST(WorldChange, SaysWhatItIs) {
-  EXPECT_EQ(to_string(of(0.0, TurnDoor{"D1", 0.0})), "D1 closed");
-  EXPECT_EQ(to_string(of(0.0, TurnDoor{"D1", 45.0})), "D1 open by 45 deg");
-  EXPECT_EQ(to_string(of(0.0, AddPeople{{}, 3, true})), "3 people came");
+TEST(WorldChange, HasTheNameOfWhatItIsAbout) {
   EXPECT_EQ(name_of(of(0.0, TakeObject{"crate"})), "crate");
   EXPECT_EQ(name_of(of(0.0, AddPeople{})), "");
+}
+
+TEST(WorldChange, TellsOfItself) {
+  WorldSpec world = test_room();
+  world.doors.push_back({.name = "D1"});
+  const WorldNews put =
+      news_of(of(0.0, PutObject{box_on_floor("crate", {1.0, 1.0, 0.8}, {0.0, 0.0})}), world);
+  EXPECT_EQ(put.what, WorldNews::What(WorldNews::Put{"crate"}));
+  EXPECT_EQ(put.outline.size(), 4U);
+  EXPECT_EQ(put.z, Eigen::Vector2d(0.0, 0.8));
+  const WorldNews door = news_of(of(0.0, TurnDoor{"D1", 45.0}), world);
+  EXPECT_EQ(door.what, WorldNews::What(WorldNews::Door{"D1", 45.0}));
+  EXPECT_FALSE(door.outline.empty());
+  const WorldNews take = news_of(of(0.0, TakeObject{"crate"}), world);
+  EXPECT_EQ(take.what, WorldNews::What(WorldNews::Take{"crate"}));
+  EXPECT_TRUE(take.outline.empty());
+  const WorldNews people = news_of(of(0.0, AddPeople{{}, 3, true}), world);
+  EXPECT_EQ(people.what, WorldNews::What(WorldNews::People{3}));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/stages/drive_setup.hpp"
+#include "tests/sim/support/happenings.hpp"
 #include "tests/sim/support/test_world.hpp"
 
 namespace castaway::sim {
@@ -17,7 +18,7 @@ using std::chrono::seconds;
 
 /// Drives in the room with the true pose as estimate, and counts events.
 struct Drive {
-  std::vector<std::string> events;
+  std::vector<Driving> events;
   double way = 0.0;
   std::int64_t collisions = 0;
 };
@@ -28,8 +29,7 @@ Drive drive(SimulationConfig config, const Pose2& error = {}) {
   Drive result;
   while (const auto frame = simulation.next()) {
     simulation.set_drive_pose(simulation.true_pose() * error);
-    const auto* record = std::get_if<DriveRecord>(&frame->data);
-    if (record != nullptr) result.events.push_back(record->what);
+    if (const auto* driving = happening<Driving>(*frame)) result.events.push_back(*driving);
   }
   result.way = simulation.distance_driven();
   result.collisions = simulation.collisions();
@@ -42,7 +42,7 @@ TEST(Navigator, DrivesItsRouteWithoutRecoveries) {
   const Drive run = drive(config);
   EXPECT_GT(run.way, 12.0);
   EXPECT_EQ(run.collisions, 0);
-  EXPECT_TRUE(run.events.empty()) << run.events.size() << " " << run.events.front();
+  EXPECT_TRUE(run.events.empty()) << run.events.size();
 }
 
 TEST(Navigator, DrivesAroundWhatIsOnNoMap) {
@@ -67,8 +67,8 @@ TEST(Navigator, RecoversWhereTheWayIsBarred) {
   }
   const Drive run = drive(config);
   EXPECT_EQ(run.collisions, 0);
-  EXPECT_THAT(run.events, testing::Contains("wait"));
-  EXPECT_THAT(run.events, testing::Contains("re-plan"));
+  EXPECT_THAT(run.events, testing::Contains(Driving{Recovery::kWait}));
+  EXPECT_THAT(run.events, testing::Contains(Driving{Recovery::kReplan}));
 }
 
 TEST(Navigator, KeepsOffWallsWithAWrongPose) {
@@ -106,7 +106,7 @@ TEST(Navigator, StopsShortAndCountsIt) {
   EXPECT_EQ(navigator.command(pose).v, 0.0);
   navigator.command(pose);
   const auto events = navigator.take_events();
-  EXPECT_EQ(std::count(events.begin(), events.end(), "emergency stop"), 1);
+  EXPECT_EQ(std::count(events.begin(), events.end(), Driving{Driving::Stop{}}), 1);
   EXPECT_TRUE(navigator.take_events().empty());
 }
 

@@ -87,12 +87,5 @@ TEST(Recoveries, SpinToTheRoomierSide) {
   }
 }
 
-TEST(Recoveries, HaveNames) {
-  EXPECT_EQ(to_string(Recovery::kWait), "wait");
-  EXPECT_EQ(to_string(Recovery::kReplan), "re-plan");
-  EXPECT_EQ(to_string(Recovery::kBackUp), "back up");
-  EXPECT_EQ(to_string(Recovery::kSpin), "spin");
-}
-
 }  // namespace
 }  // namespace castaway::sim

@@ -18,7 +18,7 @@ using std::chrono::seconds;
 class KidnapStageTest : public testing::Test {
  protected:
   KidnapStage stage(const std::vector<KidnapSpec>& kidnaps) {
-    config_.kidnaps = kidnaps;
+    config_.events.kidnaps = kidnaps;
     return {config_, spaces_, scene_, [](const std::string&) { return Rng(3); }};
   }
   KidnapOutcome at(KidnapStage& stage, nanoseconds now) {
@@ -52,7 +52,7 @@ TEST_F(KidnapStageTest, HoldsWhatIsCarriedAndPutsItDown) {
                                 .lift = {.height = 0.5, .seconds = 4.0, .covered = true}}});
   const KidnapOutcome begun = at(kidnaps, seconds(1));
   ASSERT_TRUE(begun.picked_up);
-  EXPECT_EQ(begun.picked_up->T_map_base, T_map_base_);
+  EXPECT_EQ(begun.picked_up->by, OrText<KidnapKind>(KidnapKind::kCarry));
   EXPECT_FALSE(begun.done);
   EXPECT_TRUE(kidnaps.holds());
   EXPECT_TRUE(kidnaps.covered());
@@ -112,7 +112,7 @@ TEST_F(KidnapStageTest, RefusesWhatCanNeverBe) {
   EXPECT_THROW(stage({{.kind = KidnapKind::kCarry, .target = Pose2{0.3, 0.2, 0.0}}}),
                std::runtime_error);
   EXPECT_THROW(stage({{.when = {.value = -1.0}}}), std::invalid_argument);
-  config_.kidnaps = {{.when = {KidnapTrigger::On::kPoisson, 5.0, 0}}};
+  config_.events.kidnaps = {{.when = {KidnapTrigger::On::kPoisson, 5.0, 0}}};
   EXPECT_THROW(KidnapStage(config_, spaces_, scene_, {}), std::invalid_argument);
 }
 
@@ -134,7 +134,7 @@ TEST_F(KidnapStageTest, NeverPutsTheRobotIntoAnythingOrOutside) {
     const KidnapOutcome outcome = at(kidnaps, now);
     if (!outcome.done) continue;
     T_map_base_ = outcome.done->T_map_to;
-    ASSERT_TRUE(touching.contains(T_map_base_.position())) << to_string(outcome.done->kind);
+    ASSERT_TRUE(touching.contains(T_map_base_.position())) << static_cast<int>(outcome.done->kind);
     ++count[outcome.done->kind];
   }
   EXPECT_EQ(count[KidnapKind::kTeleportRandom], 3400);

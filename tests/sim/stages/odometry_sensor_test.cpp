@@ -41,7 +41,7 @@ SimulationConfig with_fault(FaultKind kind) {
   fault.at_s = 1.0;
   fault.for_s = 1.0;
   fault.scale = 1.5;
-  config.faults = {fault};
+  config.events.faults = {fault};
   return config;
 }
 

@@ -6,6 +6,7 @@
 
 #include "sim/stages/drive_setup.hpp"
 #include "sim/stages/drive_space.hpp"
+#include "tests/sim/support/happenings.hpp"
 #include "tests/sim/support/test_people.hpp"
 
 namespace castaway::sim {
@@ -117,7 +118,7 @@ TEST(SimulationWithPeople, ARobotStopsBeforeSomebodyInItsWayAndThenDrivesRound) 
   double closest = 10.0;
   int hits = 0;
   while (auto frame = simulation.next()) {
-    if (std::holds_alternative<PersonHit>(frame->data)) ++hits;
+    if (happening<Collision>(*frame)) ++hits;
     const auto* scan = std::get_if<LidarReading>(&frame->data);
     if (scan != nullptr) closest = std::min(closest, scan->people[0].gap);
   }

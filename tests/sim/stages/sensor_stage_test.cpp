@@ -99,8 +99,8 @@ TEST(SensorStage, TwoLidarsOfOneNameAreAnError) {
 
 TEST(SensorStage, LateScansComeWhenTheyAreDue) {
   SimulationConfig config = test_simulation();
-  config.faults = {fault(FaultKind::kLidarLate, 0.0)};
-  config.faults[0].delay_s = 0.1;
+  config.events.faults = {fault(FaultKind::kLidarLate, 0.0)};
+  config.events.faults[0].delay_s = 0.1;
   SensorStage stage(config, test_streams(1));
   EXPECT_TRUE(stage.read_lidars(stage.scene(), at_rest(config, {}, milliseconds(150))).empty());
   const auto late =
@@ -112,7 +112,7 @@ TEST(SensorStage, LateScansComeWhenTheyAreDue) {
 
 TEST(SensorStage, TellsOfFaultsAtTheirTime) {
   SimulationConfig config = test_simulation();
-  config.faults = {fault(FaultKind::kOdometryReset, 0.05)};
+  config.events.faults = {fault(FaultKind::kOdometryReset, 0.05)};
   SensorStage stage(config, test_streams(1));
   EXPECT_TRUE(stage.read_faults(at_rest(config, {}, milliseconds(50))).empty());
   const auto records = stage.read_faults(at_rest(config, milliseconds(50), milliseconds(60)));

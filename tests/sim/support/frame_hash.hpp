@@ -32,15 +32,14 @@ class Hash {
 };
 
 inline void add_data(const KidnapRecord& r, Hash& hash) { hash.add(r.T_map_to); }
-inline void add_data(const DriveRecord& r, Hash& hash) { hash.add(r.T_map_base); }
-inline void add_data(const PickUpRecord& r, Hash& hash) { hash.add(r.T_map_base); }
 inline void add_data(const OdometryReading& r, Hash& hash) {
   hash.add(r.T_odom_base);
   hash.add(r.T_map_base_true);
 }
-inline void add_data(const WorldRecord& r, Hash& hash) { hash.add(r.T_map_base); }
-inline void add_data(const PersonHit& r, Hash& hash) { hash.add(r.person); }
-inline void add_data(const FaultRecord& r, Hash& hash) { hash.add(r.T_map_base_true); }
+inline void add_data(const HappeningRecord& r, Hash& hash) {
+  hash.add(r.what.index());
+  hash.add(r.T_map_base);
+}
 inline void add_data(const ImuReading& r, Hash& hash) {
   for (const double value : r.angular_velocity) hash.add(value);
   for (const double value : r.linear_acceleration) hash.add(value);

@@ -79,7 +79,7 @@ SimulationConfig noisy_kidnap_simulation() {
   SimulationConfig config = test_simulation();
   config.odometry = OdometryConfig{};
   config.lidars.front().noise.sigma = 0.01;
-  config.kidnaps = {{.when = {.value = 4.0}, .min_distance_m = 2.0}};
+  config.events.kidnaps = {{.when = {.value = 4.0}, .min_distance_m = 2.0}};
   return config;
 }
 

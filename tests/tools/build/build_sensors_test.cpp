@@ -24,7 +24,7 @@ sim::RobotModel two_eyed() {
 
 std::string sensor_error(const Scenario& scenario, const sim::RobotModel& robot) {
   try {
-    check_faults(scenario.events.faults, build_lidars(scenario, robot));
+    check_faults(scenario.events.simulated.faults, build_lidars(scenario, robot));
   } catch (const std::exception& error) {
     return error.what();
   }
@@ -107,10 +107,10 @@ TEST(BuildLidars, NameTheFileOfScanTimesThatIsWrong) {
 
 TEST(CheckFaults, NamesTheLidarThatIsMeant) {
   Scenario scenario;
-  scenario.events.faults.resize(1);
-  scenario.events.faults[0].lidar = "raer";
+  scenario.events.simulated.faults.resize(1);
+  scenario.events.simulated.faults[0].lidar = "raer";
   EXPECT_NE(sensor_error(scenario, two_eyed()).find("'rear'"), std::string::npos);
-  scenario.events.faults[0].lidar = "rear";
+  scenario.events.simulated.faults[0].lidar = "rear";
   EXPECT_EQ(sensor_error(scenario, two_eyed()), "");
 }
 

@@ -7,6 +7,7 @@
 #include "tools/build/build_simulation.hpp"
 #include "tools/build/map_conversion.hpp"
 #include "tools/build/simulator_source.hpp"
+#include "tools/run/event_names.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -34,7 +35,7 @@ Keeper run_with(sim::FaultKind kind) {
   fault.kind = kind;
   fault.at_s = 1.5;
   fault.mount_error = {0.1, 0.0, 0.1};
-  scenario.events.faults = {fault};
+  scenario.events.simulated.faults = {fault};
   PreparedSimulation prepared = build_simulation(scenario, ".");
   auto localizers = build_localizers(scenario.localizers, {prepared.map}, 1);
   auto lidars = prepared.config.lidars;
@@ -53,8 +54,9 @@ TEST_P(EveryFault, IsLoggedAndSurvived) {
   const auto kind = static_cast<sim::FaultKind>(GetParam());
   const Keeper run = run_with(kind);
   ASSERT_FALSE(run.events.empty());
-  EXPECT_EQ(run.events[0].kind, EventKind::kFaultOn);
-  EXPECT_EQ(run.events[0].detail, sim::to_string(kind));
+  const EventNames names = names_of(run.events[0].what);
+  EXPECT_EQ(names.kind, "fault on");
+  EXPECT_EQ(names.detail, sim::to_string(kind));
   EXPECT_EQ(run.events[0].stamp, std::chrono::milliseconds(1500));
   const bool ends = kind != sim::FaultKind::kOdometryReset;
   EXPECT_EQ(run.events.size(), ends ? 2U : 1U);

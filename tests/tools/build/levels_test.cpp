@@ -6,6 +6,7 @@
 #include "tests/tools/support/temporary.hpp"
 #include "tools/build/build_simulation.hpp"
 #include "tools/build/simulator_source.hpp"
+#include "tools/run/event_names.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -54,7 +55,7 @@ TEST_F(Levels, TheRobotDrivesUpAndStaysOnTheGround) {
   double steepest = 0.0;
   while (const auto frame = source->next()) {
     if (const auto* event = std::get_if<RunEvent>(&frame->data)) {
-      ADD_FAILURE() << event_name(event->kind) << ' ' << event->detail;
+      ADD_FAILURE() << names_of(event->what).kind << ' ' << names_of(event->what).detail;
     }
     if (const auto* odometry = std::get_if<OdometryFrame>(&frame->data)) {
       ASSERT_TRUE(odometry->T_footprint_base_true);
@@ -76,7 +77,7 @@ TEST_F(Levels, TheRobotDrivesUpAndStaysOnTheGround) {
 
 TEST_F(Levels, KidnapsSayFromWhichHeightToWhich) {
   scenario_.duration_s = 50.0;
-  scenario_.events.kidnaps = {
+  scenario_.events.simulated.kidnaps = {
       {.when = {.value = 1.0}, .level = 1},
       {.kind = sim::KidnapKind::kElevator, .when = {.value = 5.0}, .lift = {0.01, 6.0, 1.0}},
       {.kind = sim::KidnapKind::kPalletTruck, .when = {.value = 15.0}, .level = 1}};
@@ -85,7 +86,7 @@ TEST_F(Levels, KidnapsSayFromWhichHeightToWhich) {
   std::vector<double> after;  // Heights of the first scans.
   while (const auto frame = source->next()) {
     if (const auto* event = std::get_if<RunEvent>(&frame->data)) {
-      if (event->kind == EventKind::kKidnap) kidnaps.push_back(*event);
+      if (event->is<KidnapEvent>()) kidnaps.push_back(*event);
     }
     const auto* scan = std::get_if<ScanFrame>(&frame->data);
     if (scan != nullptr && after.size() < kidnaps.size()) {
@@ -93,12 +94,13 @@ TEST_F(Levels, KidnapsSayFromWhichHeightToWhich) {
     }
   }
   ASSERT_EQ(kidnaps.size(), 3U);
-  EXPECT_NEAR(kidnaps[0].heights->y(), 1.5, 0.02);
-  EXPECT_NEAR(kidnaps[1].heights->x(), 1.5, 0.02);
-  EXPECT_NEAR(kidnaps[1].heights->y(), 0.0, 0.02);
+  const auto heights = [&](std::size_t i) { return kidnaps[i].as<KidnapEvent>()->heights.value(); };
+  EXPECT_NEAR(heights(0).y(), 1.5, 0.02);
+  EXPECT_NEAR(heights(1).x(), 1.5, 0.02);
+  EXPECT_NEAR(heights(1).y(), 0.0, 0.02);
   EXPECT_NEAR(seconds(kidnaps[1].stamp - *kidnaps[1].since), 6.0, 0.01);
-  EXPECT_NEAR(kidnaps[2].heights->y(), 1.5, 0.02);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(after[i], kidnaps[i].heights->y(), 0.05);
+  EXPECT_NEAR(heights(2).y(), 1.5, 0.02);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(after[i], heights(i).y(), 0.05);
 }
 
 TEST_F(Levels, AStartMayBeAboveOrAtRandom) {
@@ -117,7 +119,7 @@ TEST_F(Levels, AStartMayBeAboveOrAtRandom) {
 /// A robot on the platform neither touches nor avoids people below.
 TEST_F(Levels, PeopleWalkOnTheLowestFloor) {
   scenario_.people.config.walking = 8;
-  scenario_.events.kidnaps = {{.when = {.value = 1.0}, .level = 1}};
+  scenario_.events.simulated.kidnaps = {{.when = {.value = 1.0}, .level = 1}};
   scenario_.drive.route = "none";
   const auto source = build_source(scenario_, build().config);
   double below = 1e9;  // [m] Least distance as seen from above.
@@ -125,7 +127,7 @@ TEST_F(Levels, PeopleWalkOnTheLowestFloor) {
   while (const auto frame = source->next()) {
     const auto* event = std::get_if<RunEvent>(&frame->data);
     if (event != nullptr) {
-      EXPECT_EQ(event->kind, EventKind::kKidnap);
+      EXPECT_TRUE(event->is<KidnapEvent>());
     }
     const auto* scan = std::get_if<ScanFrame>(&frame->data);
     if (scan == nullptr || seconds(frame->stamp) < 1.5) continue;
@@ -172,16 +174,18 @@ TEST_F(Levels, WhatIsPlannedForOneFloorIsRefused) {
       error(),
       "a world with `levels: true` has no navigation by estimates yet: set drive.by to truth");
   scenario_ = good;
-  scenario_.events.kidnaps = {{.kind = sim::KidnapKind::kLookAlike, .when = {.value = 1.0}}};
+  scenario_.events.simulated.kidnaps = {
+      {.kind = sim::KidnapKind::kLookAlike, .when = {.value = 1.0}}};
   EXPECT_EQ(error(), "kidnap look_alike: not on several levels: choose another kind");
-  scenario_.events.kidnaps = {{.when = {.value = 1.0}, .level = 3}};
+  scenario_.events.simulated.kidnaps = {{.when = {.value = 1.0}, .level = 3}};
   EXPECT_EQ(error(), "kidnap at 1 s: no free place on level 3; the world has levels 0 to 1");
   scenario_ = good;
   scenario_.world.file = "lab";
   scenario_.drive.route = "";
-  scenario_.events.kidnaps = {{.kind = sim::KidnapKind::kElevator, .when = {.value = 1.0}}};
+  scenario_.events.simulated.kidnaps = {
+      {.kind = sim::KidnapKind::kElevator, .when = {.value = 1.0}}};
   EXPECT_EQ(error(), "kidnap at 1 s: an elevator needs a world with `levels: true`");
-  scenario_.events.kidnaps.clear();
+  scenario_.events.simulated.kidnaps.clear();
   scenario_.start.level = 1;
   EXPECT_EQ(error(), "start.level: the world has one level: leave it out");
 }

@@ -67,7 +67,7 @@ TEST(Splice, TellsOfTheJumpBetweenItsTwoStretches) {
   ASSERT_EQ(at, 3U * 3 + 2);  // scans 5, 6 and 7 with their odometry, then scan 8
   ASSERT_NE(scan_in(part[at - 1]), nullptr);
   const auto& event = std::get<RunEvent>(part[at].data);
-  EXPECT_EQ(event.kind, EventKind::kKidnap);
+  EXPECT_TRUE(event.is<KidnapEvent>());
   EXPECT_EQ(event.stamp, part[at].stamp);
   EXPECT_EQ(event.stamp, part[at - 1].stamp + milliseconds(200));
   EXPECT_DOUBLE_EQ(event.T_map_from->x, 20.8);

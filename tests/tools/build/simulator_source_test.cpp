@@ -17,7 +17,7 @@ namespace {
 SimulatorSource lab_source(std::uint64_t seed, const LidarSpec& lidar = {}) {
   Scenario scenario;
   scenario.duration_s = 3.0;
-  scenario.events.kidnaps = {{.when = {.value = 1.5}}};
+  scenario.events.simulated.kidnaps = {{.when = {.value = 1.5}}};
   scenario.lidars = {lidar};
   PreparedSimulation prepared = build_simulation(scenario, ".");
   const std::vector<sim::LidarConfig> configs = prepared.config.lidars;
@@ -41,7 +41,7 @@ TEST(SimulatorSource, DeliversInOrderWithTheTruthBeside) {
       EXPECT_EQ(scan->scan.ranges.size(), 360U);
     } else if (const auto* event = std::get_if<RunEvent>(&frame->data)) {
       ++kidnaps;
-      EXPECT_EQ(event->kind, EventKind::kKidnap);
+      EXPECT_TRUE(event->is<KidnapEvent>());
       EXPECT_GE(distance(*event->T_map_from, *event->T_map_to), 3.0);
     } else {
       ++odometry;

@@ -70,7 +70,8 @@ TEST(SplicedSource, MovesImuReadingsInTimeAndKnowsHeights) {
     if (const auto* imu = std::get_if<ImuFrame>(&frame.data)) {
       EXPECT_EQ(imu->imu.stamp, frame.stamp);
     } else if (const auto* event = std::get_if<RunEvent>(&frame.data)) {
-      EXPECT_EQ(*event->heights, Eigen::Vector2d(event->T_map_from->x, event->T_map_to->x));
+      EXPECT_EQ(event->as<KidnapEvent>()->heights,
+                Eigen::Vector2d(event->T_map_from->x, event->T_map_to->x));
     }
   }
 }

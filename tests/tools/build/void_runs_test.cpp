@@ -6,6 +6,7 @@
 #include "tests/tools/support/temporary.hpp"
 #include "tools/build/build_simulation.hpp"
 #include "tools/build/simulator_source.hpp"
+#include "tools/run/event_names.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -41,7 +42,7 @@ Played play(const Scenario& scenario, const std::filesystem::path& base) {
 std::vector<std::string> voids_of(const Played& played) {
   std::vector<std::string> reasons;
   for (const RunEvent& event : played.events) {
-    if (event.kind == EventKind::kVoid) reasons.push_back(event.detail);
+    if (event.is<VoidEvent>()) reasons.push_back(names_of(event.what).detail);
   }
   return reasons;
 }
@@ -110,7 +111,7 @@ TEST(VoidRuns, AreThoseOfARobotWhoseArmSticksOut) {
   Scenario scenario = scenario_in("lab");
   scenario.robot.file = folder.put("arm.urdf", waffle_with_arm()).string();
   scenario.duration_s = 60.0;
-  scenario.events.kidnaps = {{.when = {.value = 30.05}, .min_distance_m = 3.0}};
+  scenario.events.simulated.kidnaps = {{.when = {.value = 30.05}, .min_distance_m = 3.0}};
   EXPECT_EQ(voids_of(play(scenario, ".")), std::vector<std::string>{"stuck"});
 }
 
@@ -152,12 +153,12 @@ TEST(VoidRuns, AreNotThoseOfALocalizerThatHasNoAnswer) {
 TEST(ShortKidnap, IsToldWithItsKey) {
   Scenario scenario = scenario_in("lab");
   scenario.duration_s = 6.0;
-  scenario.events.kidnaps = {{.when = {.value = 3.0}, .min_distance_m = 80.0}};
+  scenario.events.simulated.kidnaps = {{.when = {.value = 3.0}, .min_distance_m = 80.0}};
   const Played played = play(scenario, ".");
   ASSERT_EQ(played.events.size(), 2U);
-  EXPECT_EQ(played.events[0].kind, EventKind::kWarning);
-  EXPECT_TRUE(contains(played.events[0].detail, "min_distance_m"));
-  EXPECT_EQ(played.events[1].kind, EventKind::kKidnap);
+  ASSERT_TRUE(played.events[0].is<WarningEvent>());
+  EXPECT_TRUE(contains(played.events[0].as<WarningEvent>()->sentence, "min_distance_m"));
+  EXPECT_TRUE(played.events[1].is<KidnapEvent>());
 }
 
 }  // namespace

@@ -20,10 +20,10 @@ TEST(LiveEvent, TakesPlaceAtItsTimeToTheNanosecond) {
 TEST(LiveEvent, IsAnItemOfAScenariosEvents) {
   const LiveEvent event = read_live_event(R"({"kidnap": {"pose": [1, -2.5, 0.25]}})",
                                           localization::from_seconds(12.346));
-  ASSERT_EQ(event.specs.kidnaps.size(), 1U);
-  EXPECT_EQ(event.specs.kidnaps[0].kind, sim::KidnapKind::kTeleportTo);
-  EXPECT_EQ(event.specs.kidnaps[0].target->y, -2.5);
-  EXPECT_EQ(event.specs.kidnaps[0].when.value, 12.346);
+  ASSERT_EQ(event.specs.simulated.kidnaps.size(), 1U);
+  EXPECT_EQ(event.specs.simulated.kidnaps[0].kind, sim::KidnapKind::kTeleportTo);
+  EXPECT_EQ(event.specs.simulated.kidnaps[0].target->y, -2.5);
+  EXPECT_EQ(event.specs.simulated.kidnaps[0].when.value, 12.346);
   const YamlNode* kidnap = event.node.find("kidnap");
   ASSERT_NE(kidnap, nullptr);
   EXPECT_EQ(kidnap->find("at_s")->scalar, "12.346");

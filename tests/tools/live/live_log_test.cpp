@@ -10,6 +10,7 @@
 #include "tools/base/files/file.hpp"
 #include "tools/build/map3d/map3d_files.hpp"
 #include "tools/live/live_loading.hpp"
+#include "tools/run/event_names.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -19,7 +20,8 @@ class NotesSink final : public RunSink {
  public:
   explicit NotesSink(std::string& notes) : notes_(notes) {}
   void on_event(const RunEvent& event) override {
-    notes_ += fmt::format("{} {} {}\n", event.stamp.count(), event_name(event.kind), event.detail);
+    notes_ += fmt::format("{} {} {}\n", event.stamp.count(), names_of(event.what).kind,
+                          names_of(event.what).detail);
   }
   void on_odometry(const OdometryFrame&) override {}
   void on_scan(const ScanRecord& record) override {

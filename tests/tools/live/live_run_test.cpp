@@ -6,6 +6,7 @@
 #include "tools/build/build_localizers.hpp"
 #include "tools/build/build_simulation.hpp"
 #include "tools/build/scan_truth.hpp"
+#include "tools/run/event_names.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 
 namespace castaway::testbed {
@@ -26,8 +27,8 @@ class DeliveredSink final : public RunSink {
  public:
   explicit DeliveredSink(Delivered& delivered) : delivered_(delivered) {}
   void on_event(const RunEvent& event) override {
-    delivered_.events.push_back(std::to_string(event.stamp.count()) + " " + event_name(event.kind) +
-                                " " + event.detail);
+    delivered_.events.push_back(std::to_string(event.stamp.count()) + " " +
+                                names_of(event.what).kind + " " + names_of(event.what).detail);
   }
   void on_odometry(const OdometryFrame& frame) override {
     delivered_.add(frame.odometry.T_odom_base);

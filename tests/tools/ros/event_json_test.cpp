@@ -16,15 +16,15 @@ TEST(EventJson, IsWrittenByTheBook) {
 TEST(EventJson, IsReadBack) {
   RunEvent event = kidnap_to(2.123456789);
   event.since = localization::from_seconds(1.5);
-  event.heights = {{0.0, 3.125}};
+  std::get<KidnapEvent>(event.what).heights = {{0.0, 3.125}};
   const auto read = event_of_json(event_json(event));
   ASSERT_TRUE(read);
   EXPECT_EQ(read->stamp, event.stamp);
   EXPECT_EQ(read->since, event.since);
-  EXPECT_EQ(read->kind, EventKind::kKidnap);
+  EXPECT_TRUE(read->is<KidnapEvent>());
   EXPECT_EQ(read->T_map_from, event.T_map_from);
   EXPECT_EQ(read->T_map_to, event.T_map_to);
-  EXPECT_EQ(read->heights, event.heights);
+  EXPECT_EQ(read->as<KidnapEvent>()->heights, std::get<KidnapEvent>(event.what).heights);
 }
 
 TEST(EventJson, TakesNothingElseForAnEvent) {

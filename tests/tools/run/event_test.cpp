@@ -5,18 +5,18 @@
 namespace castaway::testbed {
 namespace {
 
-TEST(Event, NamesAreThoseOfTheFiles) {
-  EXPECT_EQ(event_name(EventKind::kKidnap), "kidnap");
-  EXPECT_EQ(event_name(EventKind::kFaultOff), "fault off");
-  EXPECT_EQ(event_name(EventKind::kWarning), "warning");
+TEST(Event, MayBeAboutALocalizer) {
+  EXPECT_EQ(localizer_of(FailureEvent{"ended", "mine"}), "mine");
+  EXPECT_EQ(localizer_of(AlarmEvent{false, "amcl"}), "amcl");
+  EXPECT_EQ(localizer_of(KidnapEvent{}), "");
 }
 
-TEST(Event, EveryNameIsReadBack) {
-  for (int i = 0; i <= static_cast<int>(EventKind::kFailure); ++i) {
-    const auto kind = static_cast<EventKind>(i);
-    EXPECT_EQ(event_kind(event_name(kind)), kind);
-  }
-  EXPECT_FALSE(event_kind("kidnapped").has_value());
+TEST(Event, AChangeOfTheWorldMayBeAboutAnObject) {
+  using sim::WorldNews;
+  EXPECT_EQ(object_of({WorldNews::Put{"crate"}}), "crate");
+  EXPECT_EQ(object_of({WorldNews::Door{"D1", 90.0}}), "D1");
+  EXPECT_EQ(object_of({WorldNews::People{3}}), "");
+  EXPECT_EQ(object_of({"a text of another program"}), "");
 }
 
 TEST(Event, BeginsAtItsStampUnlessItTookTime) {

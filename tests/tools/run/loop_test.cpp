@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/dead_reckoning.hpp"
+#include "tools/run/event_names.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -42,8 +43,8 @@ class ListSource final : public SensorSource {
 class ListSink : public RunSink {
  public:
   void on_event(const RunEvent& event) override {
-    calls.push_back("event " + event_name(event.kind));
-    details.push_back(event.detail);
+    calls.push_back("event " + names_of(event.what).kind);
+    details.push_back(names_of(event.what).detail);
   }
   void on_odometry(const OdometryFrame&) override { calls.emplace_back("odometry"); }
   void on_scan(const ScanRecord& record) override {
@@ -80,10 +81,9 @@ class LoopTest : public testing::Test {
     sinks_.push_back(std::move(sink));
     config_.start = localization::PoseWithCovariance{{5.0, 0.0, 0.0}, Eigen::Matrix3d::Zero()};
   }
-  ListSource source_{{odometry(0, {1.0, 0.0, 0.0}), odometry(10, {2.0, 0.0, 0.0}),
-                      scan(10, {6.0, 0.0, 0.0}),
-                      Frame{Stamp(15), RunEvent{Stamp(15), EventKind::kKidnap, "", {}, {}}},
-                      odometry(20, {4.0, 0.0, 0.0})}};
+  ListSource source_{
+      {odometry(0, {1.0, 0.0, 0.0}), odometry(10, {2.0, 0.0, 0.0}), scan(10, {6.0, 0.0, 0.0}),
+       Frame{Stamp(15), RunEvent{Stamp(15), KidnapEvent{}}}, odometry(20, {4.0, 0.0, 0.0})}};
   LoopConfig config_;
   std::vector<NamedLocalizer> localizers_;
   std::vector<std::unique_ptr<RunSink>> sinks_;
@@ -280,8 +280,8 @@ TEST_F(LoopTest, TakesNoAnswerForADroppedScan) {
 
 TEST_F(LoopTest, TellsAKidnapOnlyToThoseWhoAreToBeTold) {
   localizers_.push_back({"driven", std::make_unique<test::DeadReckoning>(), true});
-  const Frame kidnap{Stamp(7), RunEvent{Stamp(7), EventKind::kKidnap, "", {}, {}}};
-  const Frame collision{Stamp(3), RunEvent{Stamp(3), EventKind::kCollision, "", {}, {}}};
+  const Frame kidnap{Stamp(7), RunEvent{Stamp(7), KidnapEvent{}}};
+  const Frame collision{Stamp(3), RunEvent{Stamp(3), sim::Collision{}}};
   ListSource source({odometry(0, {}), collision, scan(5, {}), kidnap, scan(10, {})});
   Loop(config_, localizers_, sinks_).run(source);
   ASSERT_EQ(sink_->records.size(), 2U);

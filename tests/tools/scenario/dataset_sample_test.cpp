@@ -62,7 +62,7 @@ TEST(DatasetSample, SaysWhichSequenceKeyAndValueCannotBe) {
 
 TEST(DatasetSample, ReachesEventsByTheirIndex) {
   const DatasetSpec spec = spec_of("  events.0.kidnap.at_s: {uniform: [1, 2]}\n");
-  EXPECT_EQ(sample_sequence(spec, 0).loaded.scenario.events.kidnaps.size(), 1U);
+  EXPECT_EQ(sample_sequence(spec, 0).loaded.scenario.events.simulated.kidnaps.size(), 1U);
 }
 
 }  // namespace

@@ -127,9 +127,9 @@ outputs: {snapshots: {every_s: 5, on_events: false}}
   EXPECT_EQ(scenario.lidars.front().changes.find("beams")->scalar, "180");
   EXPECT_EQ(scenario.odometry.track_sigma, 0.0);
   EXPECT_EQ(scenario.odometry.drift_yaw_deg, 2.0);
-  ASSERT_EQ(scenario.events.kidnaps.size(), 2U);
-  EXPECT_EQ(scenario.events.kidnaps[0].min_distance_m, 5.0);
-  EXPECT_EQ(scenario.events.kidnaps[1].target->y, 4.0);
+  ASSERT_EQ(scenario.events.simulated.kidnaps.size(), 2U);
+  EXPECT_EQ(scenario.events.simulated.kidnaps[0].min_distance_m, 5.0);
+  EXPECT_EQ(scenario.events.simulated.kidnaps[1].target->y, 4.0);
   EXPECT_EQ(scenario.localizers[1].name, "amcl-recovery");
   const auto& amcl = std::get<localization::AmclConfig>(scenario.localizers[1].config);
   EXPECT_EQ(amcl.kld.max_particles, 900);
@@ -151,7 +151,7 @@ TEST_F(ScenarioFileTest, ItsEffectiveTextReproducesIt) {
   EXPECT_EQ(second.effective, first.effective);
   EXPECT_EQ(second.scenario.seed, 9U);
   EXPECT_EQ(second.scenario.lidars.front().changes.find("beams")->scalar, "90");
-  EXPECT_EQ(second.scenario.events.kidnaps.at(0).when.value, 3.0);
+  EXPECT_EQ(second.scenario.events.simulated.kidnaps.at(0).when.value, 3.0);
 }
 
 TEST_F(ScenarioFileTest, ReadsLidarsFaultsAndOutputsAndReproducesThem) {
@@ -165,8 +165,8 @@ TEST_F(ScenarioFileTest, ReadsLidarsFaultsAndOutputsAndReproducesThem) {
   ASSERT_EQ(second.scenario.lidars.size(), 2U);
   EXPECT_EQ(second.scenario.lidars[1].profile, "lds-01");
   EXPECT_TRUE(second.scenario.odometry.gyro.has_value());
-  ASSERT_EQ(second.scenario.events.faults.size(), 1U);
-  EXPECT_EQ(second.scenario.events.faults[0].lidar, "rear");
+  ASSERT_EQ(second.scenario.events.simulated.faults.size(), 1U);
+  EXPECT_EQ(second.scenario.events.simulated.faults[0].lidar, "rear");
   EXPECT_TRUE(second.scenario.outputs.scans);
   EXPECT_EQ(second.scenario.outputs.points_every_s, 2.0);
 }
@@ -181,7 +181,7 @@ TEST_F(ScenarioFileTest, OverridesReachIntoLists) {
   const Scenario scenario =
       load("events: [{kidnap: {at_s: 3}}]\nlocalizers: [mh_amcl]", {"events.0.kidnap.at_s=8"})
           .scenario;
-  EXPECT_EQ(scenario.events.kidnaps.at(0).when.value, 8.0);
+  EXPECT_EQ(scenario.events.simulated.kidnaps.at(0).when.value, 8.0);
 }
 
 TEST_F(ScenarioFileTest, NamesTheNearestKeyOfAnUnknownOne) {

@@ -33,8 +33,6 @@ inline std::vector<MetricRow> right_rows(std::size_t count) {
 }
 
 /// A kidnap of which only the time is set.
-inline RunEvent kidnap_at(double t) {
-  return {from_seconds(t), EventKind::kKidnap, "teleport", {}, {}};
-}
+inline RunEvent kidnap_at(double t) { return {from_seconds(t), KidnapEvent{}}; }
 
 }  // namespace castaway::testbed

@@ -43,7 +43,7 @@ inline ScanRecord record_at(double t, const std::vector<std::string>& localizers
 
 /// A kidnap at `t` [s] by 4 m along y.
 inline RunEvent kidnap_to(double t) {
-  return {localization::from_seconds(t), EventKind::kKidnap, "teleport", SE2{0.1 * t, 0.0, 0.0},
+  return {localization::from_seconds(t), KidnapEvent{}, SE2{0.1 * t, 0.0, 0.0},
           SE2{0.1 * t, 4.0, 0.0}};
 }
 

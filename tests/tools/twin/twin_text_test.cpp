@@ -60,8 +60,8 @@ TEST(TwinText, WithoutModelsIsIdeal) {
   EXPECT_EQ(lidar.stamp_sigma, 0.0);
   EXPECT_EQ(lidar.light.dust_rate, 0.0);
   EXPECT_EQ(lidar.noise.beam_bias_sigma, 0.0);
-  EXPECT_TRUE(scenario.events.faults.empty());
-  EXPECT_TRUE(scenario.events.kidnaps.empty());
+  EXPECT_TRUE(scenario.events.simulated.faults.empty());
+  EXPECT_TRUE(scenario.events.simulated.kidnaps.empty());
   EXPECT_EQ(scenario.people.config.walking, 0);
   EXPECT_EQ(differences_text(fitted), "");
 }
@@ -291,7 +291,7 @@ TEST(TwinText, TheClockIsWrongForTheWholeRun) {
   ClockFit clock;
   clock.offset_s = figure_of(-0.034);
   fitted.fit.clock = clock;
-  const std::vector<sim::FaultSpec> faults = read_twin(fitted).events.faults;
+  const std::vector<sim::FaultSpec> faults = read_twin(fitted).events.simulated.faults;
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0].kind, sim::FaultKind::kLidarClock);
   EXPECT_DOUBLE_EQ(faults[0].offset_s, -0.034);
@@ -304,10 +304,10 @@ TEST(TwinText, AClockThatMayBeRightIsRight) {
   ClockFit clock;
   clock.offset_s = figure_of(0.004, 0.005);
   fitted.fit.clock = clock;
-  EXPECT_TRUE(read_twin(fitted).events.faults.empty());
+  EXPECT_TRUE(read_twin(fitted).events.simulated.faults.empty());
   clock.offset_s = figure_of(0.004, 0.003);
   fitted.fit.clock = clock;
-  EXPECT_EQ(read_twin(fitted).events.faults.size(), 1U);
+  EXPECT_EQ(read_twin(fitted).events.simulated.faults.size(), 1U);
 }
 
 TEST(TwinText, ListsTheObjectsThatStand) {

@@ -13,6 +13,7 @@
 #include "tools/base/output/output_folder.hpp"
 #include "tools/base/process/cpu_clock.hpp"
 #include "tools/play/play.hpp"
+#include "tools/run/event_names.hpp"
 #include "tools/run/metrics/void_run.hpp"
 
 namespace castaway::testbed {
@@ -32,6 +33,11 @@ struct PutDown {
   SE2 T_map_base;
 };
 
+bool is_kidnap(const std::string& kind) {
+  const auto event = event_named(kind, "");
+  return event && std::holds_alternative<KidnapEvent>(*event);
+}
+
 std::vector<PutDown> read_put_downs(const fs::path& events) {
   const CsvTable table = read_csv(events);
   const std::size_t kind = table.column("kind");
@@ -42,7 +48,7 @@ std::vector<PutDown> read_put_downs(const fs::path& events) {
     const auto x = csv_number(row[to]);
     const auto y = csv_number(row[to + 1]);
     const auto yaw = csv_number(row[to + 2]);
-    if (row[kind] != event_name(EventKind::kKidnap) || !x || !y || !yaw) continue;
+    if (!is_kidnap(row[kind]) || !x || !y || !yaw) continue;
     found.push_back({csv_number(row[stamp]).value_or(0.0), {*x, *y, *yaw}});
   }
   return found;

@@ -32,7 +32,7 @@ std::string structure_key(const Scenario& scenario) {
                                 scenario.robot.arguments, scenario.robot.search_paths,
                                 scenario.drive.route, scenario.drive.twist_log);
   for (const LidarSpec& lidar : scenario.lidars) key += " | " + lidar_key(lidar);
-  for (const sim::FaultSpec& fault : scenario.events.faults) key += " | " + fault.lidar;
+  for (const sim::FaultSpec& fault : scenario.events.simulated.faults) key += " | " + fault.lidar;
   return key;
 }
 

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/run/event_names.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -71,14 +73,17 @@ std::optional<double> OdometryDrift::yaw_per_metre() const {
 }
 
 void SequenceStatistics::add(const RunEvent& event) {
-  ++events_[event.kind];
-  if (event.kind != EventKind::kKidnap && event.kind != EventKind::kPickUp) return;
-  held_ = event.kind == EventKind::kPickUp;
+  const auto* edge = event.as<sim::FaultEdge>();
+  faults_ += edge != nullptr && edge->begins ? 1 : 0;
+  collisions_ += event.is<sim::Collision>() ? 1 : 0;
+  const auto* kidnap = event.as<KidnapEvent>();
+  if (kidnap == nullptr && !event.is<sim::PickUp>()) return;
+  held_ = kidnap == nullptr;
   last_.reset();
   drift_.restart();
   if (held_ || !event.T_map_from || !event.T_map_to) return;
   const double far = localization::distance(*event.T_map_from, *event.T_map_to);
-  kidnaps_.push_back({{"kind", event.detail},
+  kidnaps_.push_back({{"kind", part_name(kidnap->how)},
                       {"at_s", round_figure(seconds(event.stamp))},
                       {"distance_m", round_figure(far)}});
 }
@@ -119,10 +124,6 @@ void SequenceStatistics::add(const ScanRecord& record, const ScanRow& row) {
 }
 
 Json SequenceStatistics::json() const {
-  const auto count_of = [this](EventKind kind) {
-    const auto found = events_.find(kind);
-    return found == events_.end() ? 0 : found->second;
-  };
   Json classes = Json::object();
   for (int i = 0; i < kBeamClasses; ++i) {
     classes[class_name(static_cast<BeamClass>(i))] = classes_[static_cast<std::size_t>(i)];
@@ -138,8 +139,8 @@ Json SequenceStatistics::json() const {
           {"scans", scans_},
           {"beams", beams_},
           {"people", people_},
-          {"collisions", count_of(EventKind::kCollision)},
-          {"faults", count_of(EventKind::kFaultOn)},
+          {"collisions", collisions_},
+          {"faults", faults_},
           {"kidnaps", kidnaps_},
           {"lost", lost},
           {"difficulty",

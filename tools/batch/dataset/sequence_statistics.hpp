@@ -74,7 +74,8 @@ class SequenceStatistics {
   std::int64_t scans_ = 0;
   std::int64_t beams_ = 0;
   int people_ = 0;
-  std::map<EventKind, int> events_;
+  int collisions_ = 0;
+  int faults_ = 0;
   nlohmann::ordered_json kidnaps_ = nlohmann::ordered_json::array();
   std::array<std::int64_t, kRangeBins> ranges_{};
   std::array<std::int64_t, kBeamClasses> classes_{};

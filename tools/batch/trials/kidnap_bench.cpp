@@ -33,7 +33,7 @@ class TrialSink final : public RunSink {
 
   void on_event(const RunEvent& event) override {
     played_.history.add(event);
-    if (event.kind != EventKind::kKidnap) return;
+    if (!event.is<KidnapEvent>()) return;
     kidnapped_ = event.stamp;
     played_.places.emplace(evidence_, event.T_map_from.value(), event.T_map_to.value());
   }

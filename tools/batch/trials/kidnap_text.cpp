@@ -6,6 +6,7 @@
 
 #include "tools/base/files/json_text.hpp"
 #include "tools/batch/trials/packed_values.hpp"
+#include "tools/run/event_names.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -88,7 +89,7 @@ std::string pack_report(const KidnapReport& report) {
                {"to", packed_pose(report.T_map_to)},
                {"search", packed_search(report.search)},
                {"outcomes", std::move(outcomes)}};
-  if (report.void_run) json["void"] = {report.void_run->reason, report.void_run->at_s};
+  if (report.void_run) json["void"] = {part_name(report.void_run->reason), report.void_run->at_s};
   if (report.distinguishable) json["distinguishable_ns"] = report.distinguishable->count();
   return json_text(json);
 }
@@ -106,7 +107,8 @@ KidnapReport unpack_report(const std::string& text) try {
   }
   if (json.contains("void")) {
     const Json& run = json.at("void");
-    report.void_run = VoidRun{run.at(0).get<std::string>(), run.at(1).get<double>()};
+    report.void_run =
+        VoidRun{void_reason_named(run.at(0).get<std::string>()), run.at(1).get<double>()};
   }
   if (json.contains("distinguishable_ns")) {
     report.distinguishable = Stamp(json.at("distinguishable_ns").get<std::int64_t>());

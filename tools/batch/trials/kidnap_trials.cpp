@@ -59,7 +59,7 @@ sim::WorldObject person(const Eigen::Vector2d& p_map, std::size_t number) {
 
 /// Whether the robot can stand at its start and at the kidnap's target, and drive away from both.
 bool can_drive(const sim::SimulationConfig& config) {
-  const sim::KidnapSpec& kidnap = config.kidnaps.front();
+  const sim::KidnapSpec& kidnap = config.events.kidnaps.front();
   const sim::FreeSpace free(sim::drive_grid(config),
                             config.robot.footprint_radius + kidnap.margin_m);
   return free.contains(config.start.position()) &&
@@ -104,7 +104,7 @@ sim::KidnapSpec KidnapTrials::draw_kidnap(sim::Rng& rng, const sim::Pose2& start
 
 std::vector<Eigen::Vector2d> KidnapTrials::draw_people(int count, sim::Rng& rng,
                                                        const sim::SimulationConfig& config) const {
-  const Eigen::Vector2d target = config.kidnaps.front().target->position();
+  const Eigen::Vector2d target = config.events.kidnaps.front().target->position();
   const double from_start = config.robot.footprint_radius + kRobotMargin + kPersonRadius;
   const auto fits = [&](const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& others) {
     return person_space_.contains(p) && (p - config.start.position()).norm() > from_start &&
@@ -152,9 +152,9 @@ KidnapTrial KidnapTrials::draw(int index, int obstacles) const {
     config.drive.waypoints.push_back(sample_pose(robot_space_.sample(rng)).position());
   }
   for (int tries = 0; tries < kTries; ++tries) {
-    config.kidnaps = {draw_kidnap(rng, config.start)};
+    config.events.kidnaps = {draw_kidnap(rng, config.start)};
     config.duration =
-        localization::from_seconds(config.kidnaps.front().when.value + config_.window_s);
+        localization::from_seconds(config.events.kidnaps.front().when.value + config_.window_s);
     if (obstacles == 0 || add_people(obstacles, people, config)) return trial;
   }
   throw std::runtime_error(

@@ -195,8 +195,10 @@ void BagCollector::take_truth(const McapMessage& message, const std::string& typ
 
 void BagCollector::take_event(const McapMessage& message) {
   auto event = event_of_json(CdrReader::decode<ros::String>(message.data).data);
-  if (event && !ground_.in_space) event->heights.reset();
-  if (event) recording_.frames.push_back({Stamp(message.log_time_ns), *event});
+  if (!event) return;
+  auto* kidnap = std::get_if<KidnapEvent>(&event->what);
+  if (kidnap != nullptr && !ground_.in_space) kidnap->heights.reset();
+  recording_.frames.push_back({Stamp(message.log_time_ns), *event});
 }
 
 void BagCollector::mount_remaining() {

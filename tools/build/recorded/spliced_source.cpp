@@ -106,12 +106,11 @@ Frame SplicedSource::make_jump(std::size_t to_scan) {
   last_scan_ = to_scan;
   last_known_.reset();
   after_scan_ = false;
-  RunEvent kidnap{at, EventKind::kKidnap, "splice", last_odometry_.T_map_base_true,
-                  after.T_map_base_true};
+  KidnapEvent splice{KidnapEvent::Splice{}};
   const std::optional<double> z_from = height_of(last_odometry_);
   const std::optional<double> z_to = height_of(after);
-  if (z_from && z_to) kidnap.heights = {{*z_from, *z_to}};
-  return {at, std::move(kidnap)};
+  if (z_from && z_to) splice.heights = {{*z_from, *z_to}};
+  return {at, RunEvent{at, splice, last_odometry_.T_map_base_true, after.T_map_base_true}};
 }
 
 std::optional<Frame> SplicedSource::next() {

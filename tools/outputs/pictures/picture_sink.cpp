@@ -40,7 +40,7 @@ PictureSink::PictureSink(const std::filesystem::path& run_folder, const RunInfo&
 }
 
 void PictureSink::on_event(const RunEvent& event) {
-  if (event.kind != EventKind::kKidnap) return;
+  if (!event.is<KidnapEvent>()) return;
   ++kidnaps_;
   kidnap_to_show_ = event.stamp;
   awaiting_recovery_ = true;

@@ -10,12 +10,8 @@ void add_alarms(const std::vector<MetricRow>& rows, const std::string& localizer
   bool was_lost = false;
   for (const MetricRow& row : rows) {
     if (row.lost != was_lost) {
-      const RunEvent event{row.answered(),
-                           row.lost ? EventKind::kAlarmOn : EventKind::kAlarmOff,
-                           "",
-                           row.T_map_base_true,
-                           {}};
-      log.push_back({event, localizer});
+      log.push_back(
+          {{row.answered(), AlarmEvent{row.lost, localizer}, row.T_map_base_true}, {}, {}});
     }
     was_lost = row.lost;
   }
@@ -25,12 +21,11 @@ void add_recoveries(const LocalizerMetrics& metrics, const std::string& localize
                     std::vector<LoggedEvent>& log) {
   for (const RecoveryWindow& window : metrics.windows) {
     if (!window.recovered) continue;
-    const std::string detail = window.unknown_start ? "from unknown start" : "from kidnap";
-    RunEvent event;
-    event.stamp = *window.recovered;
-    event.kind = EventKind::kRecovery;
-    event.detail = detail;
-    log.push_back({event, localizer, seconds(*window.recovered - window.begin), window.distance_m});
+    using From = RecoveryEvent::From;
+    const RecoveryEvent recovery{window.unknown_start ? From::kStart : From::kKidnap, localizer};
+    log.push_back({{*window.recovered, recovery},
+                   seconds(*window.recovered - window.begin),
+                   window.distance_m});
   }
 }
 
@@ -39,7 +34,7 @@ void add_recoveries(const LocalizerMetrics& metrics, const std::string& localize
 std::vector<LoggedEvent> log_events(const RunHistory& history,
                                     const std::vector<LocalizerMetrics>& metrics) {
   std::vector<LoggedEvent> log;
-  for (const RunEvent& event : history.events) log.push_back({event, event.localizer});
+  for (const RunEvent& event : history.events) log.push_back({event, {}, {}});
   for (std::size_t i = 0; i < metrics.size(); ++i) {
     add_alarms(history.rows[i], history.info.localizers[i], log);
     add_recoveries(metrics[i], history.info.localizers[i], log);

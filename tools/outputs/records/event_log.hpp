@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "tools/outputs/records/run_history.hpp"
@@ -13,7 +12,6 @@ namespace castaway::testbed {
 /// A row of events.csv.
 struct LoggedEvent {
   RunEvent event;
-  std::string localizer;               ///< Empty for an event of the robot.
   std::optional<double> time_s{};      ///< [s] For a recovery: time since the kidnap or the start.
   std::optional<double> distance_m{};  ///< [m] For a recovery: distance driven meanwhile.
 };

@@ -10,8 +10,9 @@ using Json = nlohmann::ordered_json;
 Json failed_json(const std::vector<RunEvent>& events) {
   Json failed = Json::object();
   for (const RunEvent& event : events) {
-    if (event.kind != EventKind::kFailure) continue;
-    failed[event.localizer] = {{"at_s", seconds(event.stamp)}, {"what", event.detail}};
+    const auto* failure = event.as<FailureEvent>();
+    if (failure == nullptr) continue;
+    failed[failure->localizer] = {{"at_s", seconds(event.stamp)}, {"what", failure->reason}};
   }
   return failed;
 }

@@ -53,15 +53,15 @@ HeaderJson recording_header(const RunInfo& info, const RosMap& map, double robot
   return header;
 }
 
-HeaderJson change_entry(const RunEvent& event) {
+HeaderJson change_entry(Stamp stamp, const sim::WorldNews& news) {
   HeaderJson outline = HeaderJson::array();
-  for (const Eigen::Vector2d& p : event.outline) {
+  for (const Eigen::Vector2d& p : news.outline) {
     outline.push_back({millimetres(p.x()), millimetres(p.y())});
   }
-  return {{"time", localization::seconds(event.stamp)},
-          {"name", event.object},
+  return {{"time", localization::seconds(stamp)},
+          {"name", object_of(news)},
           {"outline", std::move(outline)},
-          {"z", {millimetres(event.outline_z.x()), millimetres(event.outline_z.y())}}};
+          {"z", {millimetres(news.z.x()), millimetres(news.z.y())}}};
 }
 
 Eigen::Vector3d lift_of(const Eigen::Isometry3d& T_footprint_base) {

@@ -19,7 +19,7 @@ nlohmann::ordered_json recording_header(const RunInfo& info, const RosMap& map,
 /// A change of the world, for the list `changes` in the header: {time [s], name, outline: [[x, y],
 /// ...], z: [lower, upper]} [m]. If the outline is empty, nothing of that name stands there any
 /// more.
-nlohmann::ordered_json change_entry(const RunEvent& event);
+nlohmann::ordered_json change_entry(Stamp stamp, const sim::WorldNews& news);
 
 /// [height, roll, pitch] of base. [m], [rad]
 Eigen::Vector3d lift_of(const Eigen::Isometry3d& T_footprint_base);

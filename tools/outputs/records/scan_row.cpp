@@ -45,8 +45,8 @@ bool is_off(const LocalizerRecord& localizer, const ScanRecord& record) {
 }
 
 void ScanLabeller::add(const RunEvent& event) {
-  if (event.kind == EventKind::kPickUp) picked_up_ = event.stamp;
-  if (event.kind != EventKind::kKidnap) return;
+  if (event.is<sim::PickUp>()) picked_up_ = event.stamp;
+  if (!event.is<KidnapEvent>()) return;
   picked_up_.reset();
   kidnaps_.push_back(event);
 }

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/run/event_names.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -11,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 SummaryKidnap kidnap_from(const Json& window) {
   SummaryKidnap kidnap;
-  kidnap.kind = window.at("kind").get<std::string>();
+  kidnap.cause = cause_named(window.at("kind").get<std::string>());
   kidnap.taken_s = window.at("taken_s").get<double>();
   kidnap.at_s = window.at("at_s").get<double>();
   kidnap.scored = window.at("scored").get<bool>();

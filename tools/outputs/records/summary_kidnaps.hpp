@@ -7,11 +7,13 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "tools/run/event.hpp"
+
 namespace castaway::testbed {
 
 /// A kidnap or an unknown start, and what became of one localizer. Times are those of the run.
 struct SummaryKidnap {
-  std::string kind;      ///< As `RecoveryWindow::kind`.
+  LossCause cause;
   double taken_s = 0.0;  ///< [s] When the robot was lifted.
   double at_s = 0.0;     ///< [s] When it was put down.
   bool scored = false;   ///< False: recovery could not be told.

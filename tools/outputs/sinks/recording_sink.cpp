@@ -53,9 +53,10 @@ RecordingSink::RecordingSink(const std::filesystem::path& run_folder, const RunI
 }
 
 void RecordingSink::on_event(const RunEvent& event) {
-  if (event.kind == EventKind::kKidnap) kidnaps_.push_back(event);
-  if (event.kind == EventKind::kWorld && !event.object.empty()) {
-    header_["changes"].push_back(change_entry(event));
+  if (event.is<KidnapEvent>()) kidnaps_.push_back(event);
+  const auto* news = event.as<sim::WorldNews>();
+  if (news != nullptr && !object_of(*news).empty()) {
+    header_["changes"].push_back(change_entry(event.stamp, *news));
   }
 }
 

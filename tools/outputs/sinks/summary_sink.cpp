@@ -9,6 +9,7 @@
 #include "tools/base/formats/csv.hpp"
 #include "tools/outputs/records/event_log.hpp"
 #include "tools/outputs/records/failed_localizers.hpp"
+#include "tools/run/event_names.hpp"
 #include "tools/run/metrics/fault_metrics.hpp"
 #include "tools/run/metrics/metrics_json.hpp"
 #include "tools/run/metrics/stated_metrics.hpp"
@@ -28,7 +29,7 @@ std::optional<double> total_distance(const RunHistory& history) {
 
 std::int64_t collisions(const RunHistory& history) {
   return std::count_if(history.events.begin(), history.events.end(),
-                       [](const RunEvent& event) { return event.kind == EventKind::kCollision; });
+                       [](const RunEvent& event) { return event.is<sim::Collision>(); });
 }
 
 /// Counts the recovery behaviours of the driver, by kind, and its emergency stops.
@@ -36,12 +37,13 @@ Json driving_figures(const RunHistory& history) {
   Json counts{{"recoveries", 0}, {"wait", 0}, {"re-plan", 0},
               {"back up", 0},    {"spin", 0}, {"emergency stop", 0}};
   const auto count = [&counts](const std::string& what) {
-    counts[what] = counts[what].get<int>() + 1;
+    counts[what] = counts.value(what, 0) + 1;
   };
   for (const RunEvent& event : history.events) {
-    if (event.kind != EventKind::kDriving) continue;
-    count(event.detail);
-    if (event.detail != "emergency stop") count("recoveries");
+    const auto* driving = event.as<sim::Driving>();
+    if (driving == nullptr) continue;
+    count(part_name(driving->what));
+    if (!std::holds_alternative<sim::Driving::Stop>(driving->what)) count("recoveries");
   }
   return counts;
 }
@@ -49,7 +51,8 @@ Json driving_figures(const RunHistory& history) {
 /// Number of collisions with people.
 std::int64_t people_hit(const RunHistory& history) {
   return std::count_if(history.events.begin(), history.events.end(), [](const RunEvent& event) {
-    return event.kind == EventKind::kCollision && event.detail.starts_with("person ");
+    const auto* hit = event.as<sim::Collision>();
+    return hit != nullptr && std::holds_alternative<sim::Collision::Person>(hit->with);
   });
 }
 
@@ -76,7 +79,7 @@ Json to_json(const PeopleMetrics& people, const RunHistory& history) {
 Json faults_json(const RunHistory& history, Stamp end) {
   Json list = Json::array();
   for (const FaultWindow& window : fault_windows(history.events, end)) {
-    Json fault{{"fault", window.fault},
+    Json fault{{"fault", part_name(window.fault)},
                {"begin_s", seconds(window.begin)},
                {"end_s", seconds(window.end)},
                {"localizers", Json::object()}};
@@ -151,15 +154,15 @@ void write_events(const std::vector<LoggedEvent>& log, bool heights,
   if (heights) columns.insert(columns.end(), {"from_z_m", "to_z_m"});
   CsvWriter csv(path, columns);
   for (const LoggedEvent& logged : log) {
-    csv.number(seconds(logged.event.stamp))
-        .text(event_name(logged.event.kind))
-        .text(logged.event.detail);
-    csv.text(logged.localizer);
+    const EventNames names = names_of(logged.event.what);
+    csv.number(seconds(logged.event.stamp)).text(names.kind).text(names.detail);
+    csv.text(localizer_of(logged.event.what));
     csv.pose(logged.event.T_map_from);
     csv.pose(logged.event.T_map_to);
     csv.number(logged.time_s).number(logged.distance_m);
-    const auto& z = logged.event.heights;
     if (heights) {
+      const auto* kidnap = logged.event.as<KidnapEvent>();
+      const auto z = kidnap != nullptr ? kidnap->heights : std::nullopt;
       csv.number(z ? std::optional(z->x()) : std::nullopt);
       csv.number(z ? std::optional(z->y()) : std::nullopt);
     }

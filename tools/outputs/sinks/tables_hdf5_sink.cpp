@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "tools/run/event_names.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -195,8 +197,9 @@ void TablesHdf5Sink::write_events() {
     file_.append(begun, std::vector<double>{seconds(event.begun())});
     file_.append(from, numbers(event.T_map_from));
     file_.append(to, numbers(event.T_map_to));
-    kinds.push_back(event_name(event.kind));
-    details.push_back(event.detail);
+    EventNames names = names_of(event.what);
+    kinds.push_back(std::move(names.kind));
+    details.push_back(std::move(names.detail));
   }
   file_.write_texts("/events/kind", kinds);
   file_.write_texts("/events/detail", details);

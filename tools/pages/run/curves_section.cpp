@@ -39,7 +39,7 @@ Json series_of(const RunFolder& run, Figure figure, double unit, const Json& tim
 Json kidnap_times(const RunFolder& run) {
   Json times = Json::array();
   for (const ReportEvent& event : run.events) {
-    if (event.kind == EventKind::kKidnap) times.push_back(event.stamp_s);
+    if (std::holds_alternative<KidnapEvent>(event.what)) times.push_back(event.stamp_s);
   }
   return times;
 }

@@ -11,6 +11,7 @@
 #include "tools/outputs/records/summary_kidnaps.hpp"
 #include "tools/pages/html/html_page.hpp"
 #include "tools/pages/html/line_chart.hpp"
+#include "tools/run/event_names.hpp"
 #include "tools/run/metrics/void_run.hpp"
 
 namespace castaway::testbed {
@@ -36,8 +37,9 @@ struct KidnapRow {
 std::vector<KidnapRow> kidnap_events(const RunFolder& run, std::size_t localizers) {
   std::vector<KidnapRow> rows;
   for (const ReportEvent& event : run.events) {
-    if (event.kind != EventKind::kKidnap) continue;
-    rows.push_back({event.stamp_s, event.detail, event.T_map_from, event.T_map_to,
+    const auto* kidnap = std::get_if<KidnapEvent>(&event.what);
+    if (kidnap == nullptr) continue;
+    rows.push_back({event.stamp_s, part_name(kidnap->how), event.T_map_from, event.T_map_to,
                     std::vector<std::optional<SummaryKidnap>>(localizers)});
   }
   return rows;
@@ -51,7 +53,8 @@ KidnapRow& row_for(const SummaryKidnap& kidnap, std::size_t localizers,
     return std::abs(row.at_s - kidnap.at_s) < kSameTime;
   });
   if (found != rows.end()) return *found;
-  const std::string kind = kidnap.kind == "start" ? "unknown start" : kidnap.kind;
+  const bool start = std::holds_alternative<UnknownStart>(kidnap.cause);
+  const std::string kind = start ? "unknown start" : part_name(kidnap.cause);
   return rows.emplace_back(
       KidnapRow{kidnap.at_s, kind, {}, {}, std::vector<std::optional<SummaryKidnap>>(localizers)});
 }

@@ -150,13 +150,14 @@ std::string event_signs(const RunFolder& run, const ReportCurve& curve, const Pl
   std::string svg;
   int kidnaps = 0;
   for (const ReportEvent& event : run.events) {
-    if (event.kind == EventKind::kKidnap) {
+    if (std::holds_alternative<KidnapEvent>(event.what)) {
       ++kidnaps;
       if (!event.T_map_to || !map.on_floor(event.to_z)) continue;
       svg += map_sign(map, event.T_map_to->translation(), "kidnapped", fmt::format("{}▼", kidnaps),
                       fmt::format("kidnap {} at {:.1f} s", kidnaps, event.stamp_s));
     }
-    if (event.kind != EventKind::kRecovery || event.localizer != curve.localizer) continue;
+    const bool right = std::holds_alternative<RecoveryEvent>(event.what);
+    if (!right || event.localizer != curve.localizer) continue;
     const ReportRow* row = row_at(curve, event.stamp_s);
     if (row == nullptr || !map.on_floor(row->z_true)) continue;
     svg += map_sign(map, row->T_map_base_true->translation(), "regained", "✓",

@@ -7,6 +7,7 @@
 #include "tools/pages/html/html_page.hpp"
 #include "tools/pages/html/plot_data.hpp"
 #include "tools/pages/run/kidnap_section.hpp"
+#include "tools/run/event_names.hpp"
 #include "tools/run/metrics/recovery.hpp"
 
 namespace castaway::testbed {
@@ -26,9 +27,10 @@ Json page_of(const RunFolder& run) {
   const RecoveryConfig right;
   Json events = Json::array();
   for (const ReportEvent& event : run.events) {
+    const EventNames names = names_of(event.what);
     events.push_back({{"time", event.stamp_s},
-                      {"kind", event_name(event.kind)},
-                      {"detail", event.detail},
+                      {"kind", names.kind},
+                      {"detail", names.detail},
                       {"localizer", event.localizer},
                       {"from", point(event.T_map_from, event.from_z)},
                       {"to", point(event.T_map_to, event.to_z)}});

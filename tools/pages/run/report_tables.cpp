@@ -9,6 +9,7 @@
 
 #include "tools/base/formats/html.hpp"
 #include "tools/pages/run/report_words.hpp"
+#include "tools/run/event_names.hpp"
 #include "tools/run/metrics/void_run.hpp"
 
 namespace castaway::testbed {
@@ -150,10 +151,11 @@ std::string metric_table(const RunFolder& run) {
 std::string event_table(const RunFolder& run) {
   std::string body;
   for (const ReportEvent& event : run.events) {
-    if (event.kind == EventKind::kAlarmOn || event.kind == EventKind::kAlarmOff) continue;
+    if (std::holds_alternative<AlarmEvent>(event.what)) continue;
+    const EventNames names = names_of(event.what);
     body += fmt::format("<tr data-time=\"{:.3f}\">", event.stamp_s) +
-            cell(readable(event.stamp_s, "s")) + cell(escape_html(event_name(event.kind))) +
-            cell(escape_html(event.detail)) + cell(escape_html(event.localizer)) +
+            cell(readable(event.stamp_s, "s")) + cell(escape_html(names.kind)) +
+            cell(escape_html(names.detail)) + cell(escape_html(event.localizer)) +
             cell(event.time_s ? readable(event.time_s, "s") : "") + "</tr>";
   }
   if (body.empty()) return "<p>Nothing happened to the robot.</p>\n";

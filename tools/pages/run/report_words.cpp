@@ -25,9 +25,10 @@ int whole_at(const Json& json, const char* pointer) {
   return json.contains(path) ? integer<int>(json.at(path)) : 0;
 }
 
-std::int64_t count_events(const RunFolder& run, EventKind kind) {
-  return std::count_if(run.events.begin(), run.events.end(),
-                       [&](const ReportEvent& event) { return event.kind == kind; });
+std::int64_t count_kidnaps(const RunFolder& run) {
+  return std::ranges::count_if(run.events, [](const ReportEvent& event) {
+    return std::holds_alternative<KidnapEvent>(event.what);
+  });
 }
 
 /// An additional sentence about unscored kidnaps; empty if every kidnap is scored.
@@ -117,14 +118,13 @@ std::string describe_localizer(const RunFolder& run, const std::string& name) {
 
 std::string describe_run(const RunFolder& run) {
   const Json& summary = run.summary;
-  return fmt::format("World {}, robot {}, seed {}: {} driven in {}, {}, {}.",
-                     escape_html(summary.value("world", "?")),
-                     escape_html(summary.value("robot", "?")),
-                     integer_or(summary, "seed", std::uint64_t{0}),
-                     readable(figure_at(summary, "/distance_m"), "m"),
-                     readable(figure_at(summary, "/duration_s"), "s"),
-                     plural(count_events(run, EventKind::kKidnap), "kidnap"),
-                     plural(integer_or(summary, "collisions", std::int64_t{0}), "collision"));
+  return fmt::format(
+      "World {}, robot {}, seed {}: {} driven in {}, {}, {}.",
+      escape_html(summary.value("world", "?")), escape_html(summary.value("robot", "?")),
+      integer_or(summary, "seed", std::uint64_t{0}),
+      readable(figure_at(summary, "/distance_m"), "m"),
+      readable(figure_at(summary, "/duration_s"), "s"), plural(count_kidnaps(run), "kidnap"),
+      plural(integer_or(summary, "collisions", std::int64_t{0}), "collision"));
 }
 
 }  // namespace castaway::testbed

@@ -8,6 +8,7 @@
 #include "tools/base/files/file.hpp"
 #include "tools/base/formats/csv.hpp"
 #include "tools/base/formats/json_file.hpp"
+#include "tools/run/event_names.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -45,10 +46,10 @@ class Row {
   [[nodiscard]] std::optional<double> number_if(const std::string& column) const {
     return columns_.contains(column) ? number(column) : std::nullopt;
   }
-  [[nodiscard]] EventKind event(const std::string& column) const {
-    if (const auto kind = event_kind(text(column))) return *kind;
-    throw std::runtime_error(path_.string() + ": " + column + ": no kind of event is called '" +
-                             text(column) + "'");
+  [[nodiscard]] EventData event(const std::string& kind, const std::string& detail) const {
+    if (const auto what = event_named(text(kind), text(detail))) return *what;
+    throw std::runtime_error(path_.string() + ": " + kind + ": no kind of event is called '" +
+                             text(kind) + "'");
   }
   [[nodiscard]] std::optional<SE2> pose(const std::string& prefix) const {
     const auto x = number(prefix + "x_m");
@@ -93,7 +94,7 @@ std::vector<ReportCurve> read_curves(const std::filesystem::path& path) {
 std::vector<ReportEvent> read_events(const std::filesystem::path& path) {
   std::vector<ReportEvent> events;
   for_each_row(path, [&](const Row& row) {
-    events.push_back({row.number("stamp_s").value_or(0.0), row.event("kind"), row.text("detail"),
+    events.push_back({row.number("stamp_s").value_or(0.0), row.event("kind", "detail"),
                       row.text("localizer"), row.number("time_s"), row.pose("from_"),
                       row.pose("to_"), row.number_if("from_z_m"), row.number_if("to_z_m")});
   });

@@ -29,8 +29,7 @@ struct ReportRow {
 /// A row of events.csv.
 struct ReportEvent {
   double stamp_s = 0.0;
-  EventKind kind = EventKind::kKidnap;
-  std::string detail;
+  EventData what;
   std::string localizer;
   std::optional<double> time_s;
   std::optional<localization::SE2> T_map_from;  ///< For a kidnap: pose before it.

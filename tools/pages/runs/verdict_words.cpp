@@ -21,7 +21,7 @@ struct RecoveryPair {
 
 bool is_same_kidnap(const SummaryKidnap& a, const SummaryKidnap& b) {
   constexpr double kSameTime = 1e-3;  // [s]
-  return a.kind == b.kind && std::abs(a.at_s - b.at_s) < kSameTime;
+  return a.cause == b.cause && std::abs(a.at_s - b.at_s) < kSameTime;
 }
 
 void add_set_run(const SetRun& run, RecoveryPair& pair) {

@@ -7,20 +7,27 @@ namespace {
 
 constexpr Stamp kAftermath = std::chrono::seconds(5);
 
+bool is_reset(const sim::FaultEdge::What& what) {
+  const auto* fault = std::get_if<sim::SensorFault>(&what);
+  return fault != nullptr && fault->kind == sim::FaultKind::kOdometryReset;
+}
+
 }  // namespace
 
 std::vector<FaultWindow> fault_windows(const std::vector<RunEvent>& events, Stamp end) {
   std::vector<FaultWindow> windows;
   std::vector<bool> open;
   for (const RunEvent& event : events) {
-    if (event.kind == EventKind::kFaultOn) {
-      const bool instant = event.detail == "odometry-reset";
-      windows.push_back({event.detail, event.stamp, instant ? event.stamp : end});
+    const auto* edge = event.as<sim::FaultEdge>();
+    if (edge == nullptr) continue;
+    if (edge->begins) {
+      const bool instant = is_reset(edge->what);
+      windows.push_back({edge->what, event.stamp, instant ? event.stamp : end});
       open.push_back(!instant);
+      continue;
     }
-    if (event.kind != EventKind::kFaultOff) continue;
     for (std::size_t i = 0; i < windows.size(); ++i) {
-      if (!open[i] || windows[i].fault != event.detail) continue;
+      if (!open[i] || windows[i].fault != edge->what) continue;
       windows[i].end = event.stamp;
       open[i] = false;
       break;

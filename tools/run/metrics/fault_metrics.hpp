@@ -11,7 +11,7 @@ namespace castaway::testbed {
 
 /// Time interval of a fault.
 struct FaultWindow {
-  std::string fault;  ///< Kind of the fault, with the lidar's name if there are several.
+  sim::FaultEdge::What fault;
   Stamp begin{};
   Stamp end{};  ///< At most the end of the run. For a reset, equal to `begin`.
 };

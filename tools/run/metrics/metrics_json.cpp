@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/run/event_names.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -79,7 +81,7 @@ Json bin_figures(const CalibrationBin& bin, double from, double to) {
 }
 
 Json window_figures(const RecoveryWindow& window) {
-  return {{"kind", window.kind},
+  return {{"kind", part_name(window.cause)},
           {"taken_s", figure(seconds(window.taken))},
           {"at_s", figure(seconds(window.begin))},
           {"scored", window.scored},

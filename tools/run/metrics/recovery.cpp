@@ -103,14 +103,15 @@ std::vector<RecoveryWindow> recovery_windows(const std::vector<MetricRow>& rows,
   if (rows.empty()) return windows;
   if (!known_start) {
     const Stamp start = rows.front().stamp;
-    windows.push_back({.taken = start, .begin = start, .kind = "start", .unknown_start = true});
+    windows.push_back(
+        {.taken = start, .begin = start, .cause = UnknownStart{}, .unknown_start = true});
   }
   for (const RunEvent& event : breaks) {
-    const bool order = event.kind == EventKind::kOperator;
+    const auto* kidnap = event.as<KidnapEvent>();
     windows.push_back({.taken = event.begun(),
                        .begin = event.stamp,
-                       .kind = order ? kOperatorKind : event.detail,
-                       .unknown_start = order});
+                       .cause = kidnap ? LossCause(kidnap->how) : OrderedStart{},
+                       .unknown_start = kidnap == nullptr});
   }
   const std::vector<double> driven = driven_distance(rows, kidnaps_of(breaks));
   for (std::size_t i = 0; i < windows.size(); ++i) {
@@ -118,7 +119,8 @@ std::vector<RecoveryWindow> recovery_windows(const std::vector<MetricRow>& rows,
     windows[i].end = is_last ? std::max(end, windows[i].begin) : windows[i + 1].taken;
     const RowRange range = rows_in(rows, windows[i], is_last);
     windows[i].has_truth = has_truth(rows, range);
-    windows[i].scored = windows[i].kind != kOperatorKind && windows[i].has_truth &&
+    windows[i].scored = !std::holds_alternative<OrderedStart>(windows[i].cause) &&
+                        windows[i].has_truth &&
                         windows[i].end - windows[i].begin >= config.min_left;
     score(rows, driven, range, config, windows[i]);
   }

@@ -22,17 +22,14 @@ struct RecoveryConfig {
                                                 ///< correct response.
 };
 
-/// Kind of the window after an operator's order.
-inline constexpr const char* kOperatorKind = "operator";
-
 /// The time from a kidnap (or unknown start) to the next kidnap or the end of the run.
 struct RecoveryWindow {
-  Stamp taken{};       ///< Start of the kidnap: the robot was lifted.
-  Stamp begin{};       ///< End of the kidnap: the robot was put down. Recovery is timed from here.
-  Stamp end{};         ///< Start of the next kidnap, or end of the run.
-  std::string kind{};  ///< Kind of the kidnap, as `RunEvent::detail`; "start" for an unknown start.
-  bool unknown_start = false;        ///< False: a kidnap. True also after an operator's order, of
-                                     ///< the kind "operator", which is never scored.
+  Stamp taken{};      ///< Start of the kidnap: the robot was lifted.
+  Stamp begin{};      ///< End of the kidnap: the robot was put down. Recovery is timed from here.
+  Stamp end{};        ///< Start of the next kidnap, or end of the run.
+  LossCause cause{};  ///< What it begins with.
+  bool unknown_start = false;        ///< False: a kidnap. True also after an operator's order,
+                                     ///< which is never scored.
   bool has_truth = true;             ///< False if no true pose is known in the window.
   bool scored = true;                ///< False without truth, or if the window is shorter than
                                      ///< `min_left`, so that no recovery was possible.

@@ -41,14 +41,14 @@ std::optional<PoseError> pose_error(const MetricRow& row) {
 std::vector<RunEvent> kidnaps_of(const std::vector<RunEvent>& events) {
   std::vector<RunEvent> kidnaps;
   std::copy_if(events.begin(), events.end(), std::back_inserter(kidnaps),
-               [](const RunEvent& event) { return event.kind == EventKind::kKidnap; });
+               [](const RunEvent& event) { return event.is<KidnapEvent>(); });
   return kidnaps;
 }
 
 std::vector<RunEvent> breaks_of(const std::vector<RunEvent>& events) {
   std::vector<RunEvent> breaks;
   std::copy_if(events.begin(), events.end(), std::back_inserter(breaks), [](const RunEvent& event) {
-    return event.kind == EventKind::kKidnap || event.kind == EventKind::kOperator;
+    return event.is<KidnapEvent>() || event.is<OperatorEvent>();
   });
   return breaks;
 }
@@ -57,7 +57,8 @@ std::vector<RunEvent> events_for(const std::string& localizer,
                                  const std::vector<RunEvent>& events) {
   std::vector<RunEvent> own;
   std::copy_if(events.begin(), events.end(), std::back_inserter(own), [&](const RunEvent& event) {
-    return event.kind != EventKind::kOperator || event.localizer == localizer;
+    const auto* order = event.as<OperatorEvent>();
+    return order == nullptr || order->localizer == localizer;
   });
   return own;
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/base/formats/json_file.hpp"
+#include "tools/run/event_names.hpp"
 #include "tools/run/metrics/recovery.hpp"
 
 namespace castaway::testbed {
@@ -13,19 +14,19 @@ namespace castaway::testbed {
 using Json = nlohmann::ordered_json;
 
 std::optional<VoidRun> void_run(const std::vector<RunEvent>& events) {
-  const auto found = std::find_if(events.begin(), events.end(), [](const RunEvent& event) {
-    return event.kind == EventKind::kVoid;
-  });
+  const auto found = std::find_if(events.begin(), events.end(),
+                                  [](const RunEvent& event) { return event.is<VoidEvent>(); });
   if (found == events.end()) return std::nullopt;
-  return VoidRun{found->detail, seconds(found->begun())};
+  return VoidRun{found->as<VoidEvent>()->reason, seconds(found->begun())};
 }
 
 std::string describe(const VoidRun& run) {
-  if (run.reason == kContactFromStart) {
+  const auto* reason = std::get_if<sim::VoidReason>(&run.reason);
+  if (reason != nullptr && *reason == sim::VoidReason::kContactFromStart) {
     return "the robot touches something from the start: it stands in an obstacle, or a part of it "
            "sticks out";
   }
-  if (run.reason == kNeverMoved) {
+  if (reason != nullptr && *reason == sim::VoidReason::kNeverMoved) {
     return "the robot never moved, although it had to drive";
   }
   return fmt::format("the robot was stuck from {:.1f} s on", run.at_s);
@@ -33,7 +34,7 @@ std::string describe(const VoidRun& run) {
 
 Json void_json(const std::optional<VoidRun>& run) {
   if (!run) return nullptr;
-  return {{"reason", run->reason}, {"sentence", describe(*run)}, {"at_s", run->at_s}};
+  return {{"reason", part_name(run->reason)}, {"sentence", describe(*run)}, {"at_s", run->at_s}};
 }
 
 std::optional<std::string> void_sentence(const Json& summary) {
@@ -60,9 +61,10 @@ std::string unscored_sentence(const nlohmann::ordered_json& recovery) {
   const char* noun = "kidnap";
   for (const auto& event : *each) {
     if (!event.is_object() || event.value("scored", true)) continue;
-    if (event.value("kind", "") == kOperatorKind) continue;
+    const LossCause cause = cause_named(event.value("kind", ""));
+    if (std::holds_alternative<OrderedStart>(cause)) continue;
     ++count;
-    if (event.value("kind", "") == "start") noun = "event";
+    if (std::holds_alternative<UnknownStart>(cause)) noun = "event";
   }
   if (count == 0) return "";
   return fmt::format(

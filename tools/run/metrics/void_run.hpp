@@ -12,15 +12,10 @@
 
 namespace castaway::testbed {
 
-/// Details of the event "void"; docs/metrics.md defines them.
-inline constexpr const char* kContactFromStart = "contact_from_start";
-inline constexpr const char* kNeverMoved = "never_moved";
-inline constexpr const char* kStuck = "stuck";
-
-/// Why a run is void.
+/// Why a run is void; docs/metrics.md defines the reasons.
 struct VoidRun {
-  std::string reason;  ///< One of the constants above.
-  double at_s = 0.0;   ///< [s] Start of the condition.
+  VoidEvent::Reason reason;
+  double at_s = 0.0;  ///< [s] Start of the condition.
 };
 
 /// Why the run with these events is void; nothing if it is valid.

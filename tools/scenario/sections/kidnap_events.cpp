@@ -4,6 +4,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "tools/run/event_names.hpp"
+
 namespace castaway::testbed {
 namespace {
 
@@ -16,15 +18,16 @@ constexpr sim::LiftConfig kElevatorRide{0.01, 15.0, 1.0, HeldWheels::kLocked, tr
 constexpr sim::LiftConfig kPalletTruckRide{0.1, 4.0, 1.2, HeldWheels::kLocked, false};
 constexpr double kKidnapDegree = std::numbers::pi / 180.0;
 
-const std::vector<std::pair<std::string, KidnapKind>> kKidnapKinds{
-    {"teleport", KidnapKind::kTeleportRandom},
-    {"look_alike", KidnapKind::kLookAlike},
-    {"nudge", KidnapKind::kNudge},
-    {"turn", KidnapKind::kTurn},
-    {"carry", KidnapKind::kCarry},
-    {"spin", KidnapKind::kSpin},
-    {"elevator", KidnapKind::kElevator},
-    {"pallet_truck", KidnapKind::kPalletTruck}};
+/// A teleport to a pose is one that states it.
+std::vector<std::pair<std::string, KidnapKind>> kidnap_kinds() {
+  std::vector<std::pair<std::string, KidnapKind>> kinds;
+  for (const KidnapKind kind :
+       {KidnapKind::kTeleportRandom, KidnapKind::kLookAlike, KidnapKind::kNudge, KidnapKind::kTurn,
+        KidnapKind::kCarry, KidnapKind::kSpin, KidnapKind::kElevator, KidnapKind::kPalletTruck}) {
+    kinds.emplace_back(part_name(kind), kind);
+  }
+  return kinds;
+}
 
 /// The four keys for the trigger of a kidnap, of which one is given.
 void trigger_fields(Settings& settings, KidnapTrigger& trigger) {
@@ -117,7 +120,7 @@ void turn_field(Settings& settings, sim::KidnapSpec& kidnap) {
 
 void fields(Settings settings, sim::KidnapSpec& kidnap) {
   const bool all = settings.describes();
-  settings.choice({"kind", "", "What happens to the robot."}, kidnap.kind, kKidnapKinds);
+  settings.choice({"kind", "", "What happens to the robot."}, kidnap.kind, kidnap_kinds());
   const KidnapKind kind = kidnap.kind;
   trigger_fields(settings, kidnap.when);
   const bool lifted = kind == KidnapKind::kCarry || kind == KidnapKind::kSpin ||
@@ -142,7 +145,7 @@ void fields(Settings settings, sim::KidnapSpec& kidnap) {
   settings.form({"localizer", "", "Localizer that `when_localized_s` watches."}, "the first");
 }
 
-void read_kidnap(YamlReader& body, EventSpecs& events) {
+void read_kidnap(YamlReader body, EventSpecs& events) {
   sim::KidnapSpec kidnap;
   fields(Settings::reading(body), kidnap);
   try {
@@ -157,11 +160,11 @@ void read_kidnap(YamlReader& body, EventSpecs& events) {
     }
     events.watched = who;
   }
-  events.kidnaps.push_back(kidnap);
+  events.simulated.kidnaps.push_back(kidnap);
 }
 
 bool waits_for_localizer(const EventSpecs& events) {
-  return std::any_of(events.kidnaps.begin(), events.kidnaps.end(), [](const auto& kidnap) {
+  return std::ranges::any_of(events.simulated.kidnaps, [](const auto& kidnap) {
     return kidnap.when.on == KidnapTrigger::On::kLocalized;
   });
 }

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "tools/run/event_names.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 
 namespace castaway::testbed {
@@ -47,10 +48,10 @@ void fields(Settings settings, LocalizerOrder& order) {
   order.at = localization::from_seconds(at_s);
   settings.field({"name", "", "The localizer."}, order.localizer);
   settings.choice({"do", "", "What is done to it."}, order.what,
-                  {{to_string(What::kInitialize), What::kInitialize},
-                   {to_string(What::kRelocalize), What::kRelocalize},
-                   {to_string(What::kOff), What::kOff},
-                   {to_string(What::kOn), What::kOn}});
+                  {{part_name(What::kInitialize), What::kInitialize},
+                   {part_name(What::kRelocalize), What::kRelocalize},
+                   {part_name(What::kOff), What::kOff},
+                   {part_name(What::kOn), What::kOn}});
   if (settings.describes() || order.what == What::kInitialize) pose_fields(settings, order);
 }
 

@@ -14,10 +14,7 @@
 #include "localization/mh_amcl/mh_amcl_config.hpp"
 #include "localization/paper/published/published_config.hpp"
 #include "sim/difference/difference.hpp"
-#include "sim/events/drive_command.hpp"
-#include "sim/events/fault.hpp"
-#include "sim/events/kidnap.hpp"
-#include "sim/events/world_change.hpp"
+#include "sim/events/event_lists.hpp"
 #include "sim/people/people_config.hpp"
 #include "sim/robot/bodies/twist_ramp.hpp"
 #include "sim/sensor/imu.hpp"
@@ -100,12 +97,9 @@ struct LidarSpec {
 
 /// Events of a run.
 struct EventSpecs {
-  std::vector<sim::KidnapSpec> kidnaps;
-  std::vector<sim::FaultSpec> faults;
-  std::vector<sim::DriveCommand> commands;  ///< In order of time.
-  std::vector<LocalizerOrder> orders;       ///< In order of time.
-  std::vector<sim::WorldChange> changes;
-  std::string watched;  ///< Localizer that kidnaps wait for; empty: no kidnap waits.
+  sim::EventLists simulated;           ///< Carried out by the simulator.
+  std::vector<LocalizerOrder> orders;  ///< In order of time.
+  std::string watched;                 ///< Localizer that kidnaps wait for; empty: no kidnap waits.
 };
 
 /// People, and their log.

@@ -90,10 +90,6 @@ sim::AddPeople people_fields(Settings& settings) {
 
 }  // namespace
 
-bool is_world_event(const std::string& name) {
-  return std::ranges::find(kWorldEvents, name) != std::end(kWorldEvents);
-}
-
 void fields(Settings settings, const std::string& name, const std::string& given_name,
             sim::WorldChange& change) {
   settings.field({"at_s", "s", "Simulated time; it waits until there is room.", {0.0, kLongest}},

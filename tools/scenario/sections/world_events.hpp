@@ -11,9 +11,6 @@ namespace castaway::testbed {
 /// Names of these events: "box", "cylinder", "remove", "door", "people".
 inline constexpr const char* kWorldEvents[] = {"box", "cylinder", "remove", "door", "people"};
 
-/// True for the name of an event that changes the world.
-bool is_world_event(const std::string& name);
-
 /// Settings of the event called `name`. A box or a cylinder without a name gets `given_name`.
 void fields(Settings settings, const std::string& name, const std::string& given_name,
             sim::WorldChange& change);

@@ -74,7 +74,7 @@ std::vector<RawScan> take_scans(const RecordedPlace& place, const ScanCorrection
         path.add(odometry->odometry, log.T_path_base);
       }
     } else if (const auto* event = std::get_if<RunEvent>(&frame.data)) {
-      breaks = breaks || event->kind == EventKind::kKidnap;
+      breaks = breaks || event->is<KidnapEvent>();
     } else {
       const auto& scan = std::get<ScanFrame>(frame.data);
       if (!scans.empty() && scan.scan.lidar != scans.front().scan.lidar) continue;

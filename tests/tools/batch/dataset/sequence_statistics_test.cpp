@@ -70,7 +70,7 @@ TEST(SequenceStatistics, TheWayOfAKidnapIsNotDriven) {
   statistics.add(odometry_at(9.0, 0.5));
   statistics.add(odometry_at(9.25, 0.75));
   RunEvent pick_up = kidnap_to(2.0);
-  pick_up.kind = EventKind::kPickUp;
+  pick_up.what = sim::PickUp{};
   statistics.add(pick_up);
   statistics.add(odometry_at(10.0, 0.75));
   statistics.add(odometry_at(11.0, 0.75));

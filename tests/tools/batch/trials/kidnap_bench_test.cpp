@@ -26,8 +26,8 @@ std::vector<const sim::WorldObject*> people_in(const KidnapTrial& trial) {
 TEST(KidnapTrials, LeadFarAwayAndLastForTheWindow) {
   for (int index = 0; index < 10; ++index) {
     const KidnapTrial trial = lab().draw(index, 0);
-    ASSERT_EQ(trial.simulation.kidnaps.size(), 1U);
-    const sim::KidnapSpec& kidnap = trial.simulation.kidnaps[0];
+    ASSERT_EQ(trial.simulation.events.kidnaps.size(), 1U);
+    const sim::KidnapSpec& kidnap = trial.simulation.events.kidnaps[0];
     EXPECT_GE((kidnap.target->position() - trial.simulation.start.position()).norm(), 3.0);
     EXPECT_LE(kidnap.when.value, 1.0);
     EXPECT_NEAR(seconds(trial.simulation.duration), kidnap.when.value + 3.0, 1e-6);
@@ -39,7 +39,7 @@ TEST(KidnapTrials, PutPeopleAroundTheTargetWhoAreOnNoMap) {
   const KidnapTrial trial = lab().draw(3, 6);
   const auto people = people_in(trial);
   ASSERT_EQ(people.size(), 6U);
-  const Eigen::Vector2d target = trial.simulation.kidnaps[0].target->position();
+  const Eigen::Vector2d target = trial.simulation.events.kidnaps[0].target->position();
   for (const sim::WorldObject* person : people) {
     const double away = (person->T_map_object.translation().head<2>() - target).norm();
     EXPECT_GE(away, 0.6);
@@ -86,8 +86,8 @@ TEST(KidnapTrials, HaveTheKindAndTheLidarThatAreAskedFor) {
                              .lidar = "urg-04lx",
                              .range_max = 5.6});
   const KidnapTrial trial = trials.draw(0, 0);
-  EXPECT_EQ(trial.simulation.kidnaps[0].kind, sim::KidnapKind::kLookAlike);
-  EXPECT_EQ(trial.simulation.kidnaps[0].min_distance_m, 1.0);
+  EXPECT_EQ(trial.simulation.events.kidnaps[0].kind, sim::KidnapKind::kLookAlike);
+  EXPECT_EQ(trial.simulation.events.kidnaps[0].min_distance_m, 1.0);
   EXPECT_EQ(trial.simulation.lidars[0].range_max, 5.6);
   EXPECT_EQ(trial.simulation.lidars[0].beams, 682);
   EXPECT_THROW(trials.draw(0, 3), std::invalid_argument);

@@ -81,7 +81,7 @@ TEST(KidnapOutcome, CountsTheScansSinceThePlacesAreDistinguishable) {
 TEST(Summarise, LeavesOutTrialsThatAreVoid) {
   const KidnapReport counts{0, 6, {}, {}, {0, 0.3}, {outcome_of(kidnapped())}};
   KidnapReport stuck = counts;
-  stuck.void_run = VoidRun{kStuck, 1.0};
+  stuck.void_run = VoidRun{sim::VoidReason::kStuck, 1.0};
   const KidnapBatch batch = summarise({stuck, counts}, {"amcl"}, 10.0);
   EXPECT_EQ(batch.voids, 1);
   EXPECT_EQ(batch.kidnaps, 1);

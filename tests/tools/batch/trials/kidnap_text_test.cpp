@@ -29,7 +29,7 @@ KidnapReport full_report() {
   report.T_map_to = {0.0, 1e-9, -1.0};
   report.search = {4, 0.25, -3.5, -7.0};
   report.outcomes = {found_outcome(), {}};
-  report.void_run = VoidRun{kStuck, 2.5};
+  report.void_run = VoidRun{sim::VoidReason::kStuck, 2.5};
   report.distinguishable = Stamp(123456789012345);
   return report;
 }
@@ -45,7 +45,7 @@ TEST(KidnapText, HoldsEveryValueExactly) {
   EXPECT_EQ(read.search.blocked_share, 0.25);
   EXPECT_EQ(read.search.right, -3.5);
   EXPECT_EQ(read.search.fifth, -7.0);
-  EXPECT_EQ(read.void_run->reason, kStuck);
+  EXPECT_EQ(read.void_run->reason, VoidEvent::Reason(sim::VoidReason::kStuck));
   EXPECT_EQ(read.void_run->at_s, 2.5);
   EXPECT_EQ(read.distinguishable, report.distinguishable);
   ASSERT_EQ(read.outcomes.size(), 2U);

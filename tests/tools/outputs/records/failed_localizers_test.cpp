@@ -9,9 +9,7 @@ namespace {
 TEST(FailedLocalizers, AreListedWithTimeAndReason) {
   RunEvent failure;
   failure.stamp = std::chrono::milliseconds(12345);
-  failure.kind = EventKind::kFailure;
-  failure.detail = "exited with 1";
-  failure.localizer = "mine";
+  failure.what = FailureEvent{"exited with 1", "mine"};
   const auto json = failed_json({RunEvent{}, failure});
   EXPECT_EQ(json.dump(), R"({"mine":{"at_s":12.345,"what":"exited with 1"}})");
   EXPECT_TRUE(failed_json({}).empty());

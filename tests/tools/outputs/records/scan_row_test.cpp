@@ -37,7 +37,7 @@ TEST(ScanRow, CountsTimeFromTheLastKidnap) {
   EXPECT_EQ(labeller.row_of(record_at(3.0, {})).since_kidnap_s, 0.0);
   EXPECT_FALSE(labeller.row_of(record_at(3.0, {})).torn);
   RunEvent collision = kidnap_to(4.0);
-  collision.kind = EventKind::kCollision;
+  collision.what = sim::Collision{};
   labeller.add(collision);
   EXPECT_EQ(labeller.row_of(record_at(4.5, {})).since_kidnap_s, 1.5);
 }
@@ -54,7 +54,7 @@ TEST(ScanRow, ATeleportWithinTheSweepTearsIt) {
 TEST(ScanRow, ARobotInTheAirIsHeld) {
   ScanLabeller labeller(context());
   RunEvent pick_up = kidnap_to(2.05);
-  pick_up.kind = EventKind::kPickUp;
+  pick_up.what = sim::PickUp{};
   labeller.add(pick_up);
   EXPECT_TRUE(labeller.row_of(record_at(2.0, {})).torn);
   EXPECT_FALSE(labeller.row_of(record_at(2.0, {})).held);

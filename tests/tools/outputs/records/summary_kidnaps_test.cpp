@@ -29,7 +29,7 @@ TEST(SummaryKidnaps, AreLostUntilTheRecoveryTheNextKidnapOrTheEnd) {
   EXPECT_FALSE(kidnaps[1].recovered);
   EXPECT_EQ(kidnaps[2].lost_s, 19.0);
   EXPECT_FALSE(kidnaps[2].scored);
-  EXPECT_EQ(kidnaps[2].kind, "carry");
+  EXPECT_EQ(kidnaps[2].cause, LossCause(KidnapEvent::How(sim::KidnapKind::kCarry)));
 }
 
 TEST(SummaryKidnaps, OfAnUnknownLocalizerAreNone) {

@@ -120,8 +120,8 @@ TEST(SummarySink, TellsAnUnknownStartFromAKidnap) {
 TEST(SummarySink, CountsCollisions) {
   const TemporaryFolder folder;
   SummarySink sink(folder.path(), run_of({"a"}));
-  sink.on_event({from_seconds(1.0), EventKind::kCollision, "wall", {}, {}});
-  sink.on_event({from_seconds(2.0), EventKind::kCollision, "wall, \"red\"", {}, {}});
+  sink.on_event({from_seconds(1.0), sim::Collision{"wall"}});
+  sink.on_event({from_seconds(2.0), sim::Collision{"wall, \"red\""}});
   sink.finish(from_seconds(5.0), {});
   EXPECT_EQ(Json::parse(read_file(folder.path() / "summary.json")).at("collisions"), 2);
   EXPECT_EQ(read_csv(folder.path() / "events.csv").rows[1][2], "wall, \"red\"");

@@ -21,8 +21,7 @@ Json window_at(double at_s, const Json& time_s, bool scored = true) {
 ReportEvent kidnap_event(double at_s, const localization::SE2& from, const localization::SE2& to) {
   ReportEvent event;
   event.stamp_s = at_s;
-  event.kind = EventKind::kKidnap;
-  event.detail = "<teleport>";
+  event.what = KidnapEvent{"<teleport>"};
   event.T_map_from = from;
   event.T_map_to = to;
   return event;

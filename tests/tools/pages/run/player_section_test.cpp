@@ -11,7 +11,7 @@ namespace {
 RunFolder run_with(const std::string& recording) {
   RunFolder run;
   run.recording = recording;
-  run.events.push_back({1.5, EventKind::kKidnap, "</script><b>", "", std::nullopt,
+  run.events.push_back({1.5, KidnapEvent{"</script><b>"}, "", std::nullopt,
                         localization::SE2{1.0, 2.0, 0.0}, localization::SE2{3.0, 4.0, 0.0}});
   return run;
 }

@@ -5,6 +5,7 @@
 #include "tests/tools/support/recorded_office.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/build/recorded/carmen_source.hpp"
+#include "tools/run/event_names.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -59,7 +60,7 @@ TEST_F(RecordedLogTest, JumpsAnywhereInTheLog) {
       frames_of("scans: 12\nevents: [{splice: {after_scans: 10, to_scan: 50}}]\n");
   ASSERT_EQ(frames.size(), 20U + 1U + 4U);
   const auto& event = std::get<RunEvent>(frames[20].data);
-  EXPECT_EQ(event.detail, "splice");
+  EXPECT_EQ(names_of(event.what).detail, "splice");
   EXPECT_NEAR(event.T_map_to->x, 3.0 + 1.5 * std::cos(50 * 0.1 / 1.5), 1e-5);
 }
 

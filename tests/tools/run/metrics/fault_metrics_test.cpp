@@ -3,14 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "castaway/stamp.hpp"
+#include "tools/run/event_names.hpp"
 
 namespace castaway::testbed {
 namespace {
 
 using localization::from_seconds;
 
-RunEvent event(double t, EventKind kind, const std::string& detail) {
-  return {from_seconds(t), kind, detail, {}, {}};
+RunEvent event(double t, const std::string& kind, const std::string& detail) {
+  return {from_seconds(t), event_named(kind, detail).value()};
 }
 
 /// A row at `t` [s] with a position error of `error_m`.
@@ -24,16 +25,16 @@ MetricRow row(double t, double error_m, bool lost = false) {
 }
 
 TEST(FaultWindows, ReachFromOnToOff) {
-  const auto windows = fault_windows(
-      {event(2, EventKind::kFaultOn, "lidar-late"),
-       event(3, EventKind::kFaultOn, "lidar-dropout front"),
-       event(4, EventKind::kKidnap, "teleport"), event(5, EventKind::kFaultOff, "lidar-late"),
-       event(6, EventKind::kFaultOn, "odometry-reset")},
-      from_seconds(20));
+  const auto windows =
+      fault_windows({event(2, "fault on", "lidar-late"),
+                     event(3, "fault on", "lidar-dropout front"), event(4, "kidnap", "teleport"),
+                     event(5, "fault off", "lidar-late"), event(6, "fault on", "odometry-reset")},
+                    from_seconds(20));
   ASSERT_EQ(windows.size(), 3U);
   EXPECT_EQ(windows[0].begin, from_seconds(2));
   EXPECT_EQ(windows[0].end, from_seconds(5));
-  EXPECT_EQ(windows[1].fault, "lidar-dropout front");
+  EXPECT_EQ(windows[1].fault,
+            sim::FaultEdge::What(sim::SensorFault{sim::FaultKind::kLidarDropout, "front"}));
   EXPECT_EQ(windows[1].end, from_seconds(20));  // It never ended.
   EXPECT_EQ(windows[2].end, from_seconds(6));
 }
@@ -41,8 +42,7 @@ TEST(FaultWindows, ReachFromOnToOff) {
 TEST(FaultMetrics, CountRowsOfTheFaultAndFiveSecondsAfter) {
   const std::vector<MetricRow> rows = {row(1, 9.0), row(2, 0.1), row(4, 0.7), row(8.9, 0.4),
                                        row(9, 9.0)};
-  const FaultMetrics metrics =
-      measure_fault(rows, {"lidar-late", from_seconds(2), from_seconds(4)});
+  const FaultMetrics metrics = measure_fault(rows, {{}, from_seconds(2), from_seconds(4)});
   EXPECT_NEAR(*metrics.mean_error_m, 0.4, 1e-12);
   EXPECT_NEAR(*metrics.wrong_confident_share, 1.0 / 3.0, 1e-12);
   EXPECT_FALSE(metrics.alarm);
@@ -50,13 +50,13 @@ TEST(FaultMetrics, CountRowsOfTheFaultAndFiveSecondsAfter) {
 
 TEST(FaultMetrics, AnAlarmExcusesAWrongPose) {
   const FaultMetrics metrics =
-      measure_fault({row(2, 3.0, true)}, {"lidar-late", from_seconds(2), from_seconds(4)});
+      measure_fault({row(2, 3.0, true)}, {{}, from_seconds(2), from_seconds(4)});
   EXPECT_EQ(metrics.wrong_confident_share, 0.0);
   EXPECT_TRUE(metrics.alarm);
 }
 
 TEST(FaultMetrics, WithoutRowsThereAreNone) {
-  EXPECT_FALSE(measure_fault({}, {"lidar-late", from_seconds(2), from_seconds(4)}).mean_error_m);
+  EXPECT_FALSE(measure_fault({}, {{}, from_seconds(2), from_seconds(4)}).mean_error_m);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ TEST(MetricsJson, HasTheDocumentedKeysInTheirOrder) {
   metrics.false_alarms_per_h = 1.5;
   metrics.windows = {{.taken = localization::from_seconds(2.0),
                       .begin = localization::from_seconds(3.0),
-                      .kind = "carry",
+                      .cause = KidnapEvent::How(sim::KidnapKind::kCarry),
                       .recovered = localization::from_seconds(3.5),
                       .noticed = localization::from_seconds(2.25),
                       .distance_m = 0.125,

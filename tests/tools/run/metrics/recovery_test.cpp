@@ -35,8 +35,7 @@ TEST(IsRight, EndsAtTheLimits) {
 RunEvent order_at(double at_s) {
   RunEvent order;
   order.stamp = from_seconds(at_s);
-  order.kind = EventKind::kOperator;
-  order.detail = "relocalize";
+  order.what = OperatorEvent{LocalizerOrder::What::kRelocalize};
   return order;
 }
 
@@ -47,7 +46,7 @@ TEST(Recovery, WithAnOperatorsHelpIsNone) {
   EXPECT_EQ(windows[0].end, from_seconds(10.5));
   EXPECT_TRUE(windows[0].scored);
   EXPECT_FALSE(windows[0].recovered);
-  EXPECT_EQ(windows[1].kind, kOperatorKind);
+  EXPECT_EQ(windows[1].cause, LossCause(OrderedStart{}));
   EXPECT_FALSE(windows[1].scored);
   EXPECT_FALSE(windows[1].recovered);
 }
@@ -71,11 +70,11 @@ TEST(Recovery, IsTheFirstRowFromWhichAllAreRight) {
 TEST(Recovery, OfACarriedRobotIsTimedFromWhereItWasPutDown) {
   RunEvent carry = kidnap_at(8.0);
   carry.since = from_seconds(4.0);
-  carry.detail = "carry";
+  carry.what = KidnapEvent{sim::KidnapKind::kCarry};
   auto rows = twenty_rows({4, 5, 6, 7, 8, 9});
   rows[6].lost = true;
   const RecoveryWindow window = windows_of(rows, {kidnap_at(1.0), carry})[1];
-  EXPECT_EQ(window.kind, "carry");
+  EXPECT_EQ(window.cause, LossCause(KidnapEvent::How(sim::KidnapKind::kCarry)));
   EXPECT_EQ(window.taken, from_seconds(4.0));
   EXPECT_EQ(window.begin, from_seconds(8.0));
   EXPECT_EQ(window.recovered, from_seconds(10.0));

@@ -43,7 +43,7 @@ TEST(PoseError, NeedsTruthAndEstimate) {
 
 TEST(Kidnaps, AreTheEventsOfThatKind) {
   RunEvent collision = kidnap_at(1.0);
-  collision.kind = EventKind::kCollision;
+  collision.what = sim::Collision{};
   const auto kidnaps = kidnaps_of({collision, kidnap_at(2.0), collision, kidnap_at(4.0)});
   ASSERT_EQ(kidnaps.size(), 2U);
   EXPECT_EQ(kidnaps[0].stamp, from_seconds(2.0));

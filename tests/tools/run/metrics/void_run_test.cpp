@@ -11,28 +11,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-RunEvent event(EventKind kind, const std::string& detail) {
+RunEvent event(EventData what) {
   RunEvent event;
   event.stamp = localization::from_seconds(30.0);
-  event.kind = kind;
-  event.detail = detail;
+  event.what = std::move(what);
   event.since = localization::from_seconds(4.5);
   return event;
 }
 
 TEST(VoidRun, IsWhatTheEventSays) {
-  EXPECT_FALSE(void_run({event(EventKind::kKidnap, "teleport")}).has_value());
-  const auto found =
-      void_run({event(EventKind::kKidnap, "teleport"), event(EventKind::kVoid, kStuck)});
+  EXPECT_FALSE(void_run({event(KidnapEvent{})}).has_value());
+  const auto found = void_run({event(KidnapEvent{}), event(VoidEvent{sim::VoidReason::kStuck})});
   ASSERT_TRUE(found.has_value());
-  EXPECT_EQ(found->reason, "stuck");
+  EXPECT_EQ(found->reason, VoidEvent::Reason(sim::VoidReason::kStuck));
   EXPECT_EQ(found->at_s, 4.5);
   EXPECT_TRUE(contains(describe(*found), "stuck from 4.5 s on"));
 }
 
 TEST(VoidRun, IsNullInTheSummaryOfARunThatCounts) {
   EXPECT_TRUE(void_json(std::nullopt).is_null());
-  const Json json = void_json(VoidRun{kNeverMoved, 0.0});
+  const Json json = void_json(VoidRun{sim::VoidReason::kNeverMoved, 0.0});
   EXPECT_EQ(json.at("reason"), "never_moved");
   EXPECT_EQ(json.at("at_s"), 0.0);
   EXPECT_TRUE(contains(json.at("sentence"), "never moved"));
@@ -41,7 +39,7 @@ TEST(VoidRun, IsNullInTheSummaryOfARunThatCounts) {
 TEST(VoidRun, IsReadFromASummary) {
   EXPECT_FALSE(void_sentence(Json::object()).has_value());
   EXPECT_FALSE(void_sentence({{"void", nullptr}}).has_value());
-  const Json summary{{"void", void_json(VoidRun{kContactFromStart, 0.0})}};
+  const Json summary{{"void", void_json(VoidRun{sim::VoidReason::kContactFromStart, 0.0})}};
   EXPECT_TRUE(contains(void_sentence(summary).value_or(""), "from the start"));
   const TemporaryFolder folder;
   folder.put("summary.json", summary.dump());

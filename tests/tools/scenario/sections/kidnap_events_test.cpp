@@ -22,7 +22,7 @@ EventSpecs events_of(const std::string& body) {
   return events;
 }
 
-sim::KidnapSpec kidnap(const std::string& body) { return events_of(body).kidnaps.at(0); }
+sim::KidnapSpec kidnap(const std::string& body) { return events_of(body).simulated.kidnaps.at(0); }
 
 std::string kidnap_error(const std::string& body) {
   try {

@@ -50,7 +50,7 @@ void insert_kidnap(Frames& frames, std::size_t scan) {
   const auto at = frames.begin() + static_cast<std::ptrdiff_t>(scan_positions(frames).at(scan));
   RunEvent kidnap;
   kidnap.stamp = at->stamp;
-  kidnap.kind = EventKind::kKidnap;
+  kidnap.what = KidnapEvent{};
   frames.insert(at, {kidnap.stamp, kidnap});
 }
 
