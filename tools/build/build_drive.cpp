@@ -49,7 +49,17 @@ Route exploring_route(const sim::FreeSpace& space, localization::Rng& rng) {
   return route;
 }
 
-Route drawn_route(const std::string& kind, const RouteWorld& world, const sim::RobotModel& robot,
+/// Where a route comes from.
+enum class RouteSource { kNone, kRandom, kExplore, kWorld };
+
+RouteSource source_of(const std::string& route, bool world_has_routes) {
+  if (route == "none") return RouteSource::kNone;
+  if (route == "explore") return RouteSource::kExplore;
+  const bool random = route == "random" || (route.empty() && !world_has_routes);
+  return random ? RouteSource::kRandom : RouteSource::kWorld;
+}
+
+Route drawn_route(RouteSource source, const RouteWorld& world, const sim::RobotModel& robot,
                   std::uint64_t seed) {
   const double radius = robot.footprint_radius + kRouteMargin;
   const sim::FreeSpace space = world.levels ? sim::FreeSpace::on_levels(world.levels, radius)
@@ -62,8 +72,8 @@ Route drawn_route(const std::string& kind, const RouteWorld& world, const sim::R
                     "castaway check-world shows its free space",
                     world.name, robot.footprint_radius));
   }
-  return kind == "explore" ? exploring_route(space, rng)
-                           : random_route(space, rng, kRandomWaypoints);
+  return source == RouteSource::kExplore ? exploring_route(space, rng)
+                                         : random_route(space, rng, kRandomWaypoints);
 }
 
 /// A route of a world with floors is on the lowest ground.
@@ -79,9 +89,9 @@ Route on_ground(Route route, const sim::LevelPlane* levels) {
 Route route_of(const Scenario& scenario, const RouteWorld& world, const sim::RobotModel& robot) {
   const auto& routes = *world.routes;
   const std::string& name = scenario.drive.route;
-  if (name == "none") return {};
-  const bool drawn = name == "random" || name == "explore" || (name.empty() && routes.empty());
-  if (drawn) return drawn_route(name, world, robot, scenario.seed);
+  const RouteSource source = source_of(name, !routes.empty());
+  if (source == RouteSource::kNone) return {};
+  if (source != RouteSource::kWorld) return drawn_route(source, world, robot, scenario.seed);
   if (name.empty()) return on_ground(routes.begin()->second, world.levels.get());
   const auto found = routes.find(name);
   if (found != routes.end()) return on_ground(found->second, world.levels.get());
@@ -108,7 +118,7 @@ sim::DriveConfig build_drive(const Scenario& scenario, const std::filesystem::pa
                              const RouteWorld& world, const sim::RobotModel& robot) {
   const DriveSpec& spec = scenario.drive;
   sim::DriveConfig drive;
-  drive.by_estimate = spec.by != "truth";
+  drive.by_estimate = !spec.by_truth();
   drive.limits = spec.limits;
   drive.wait_s = spec.wait_s;
   if (!spec.path.empty()) {

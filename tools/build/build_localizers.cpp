@@ -180,7 +180,7 @@ std::vector<NamedLocalizer> LocalizerFactory::build(std::uint64_t seed) const {
 LoopConfig loop_config(const Scenario& scenario, const SE2& start,
                        std::optional<double> start_height) {
   LoopConfig config;
-  if (scenario.drive.by != "truth") config.drive_by = scenario.drive.by;
+  if (!scenario.drive.by_truth()) config.drive_by = scenario.drive.by;
   config.watch = scenario.events.watched;
   config.orders = scenario.events.orders;
   if (!scenario.start.known) return config;

@@ -34,10 +34,6 @@ std::pair<int, int> inset_size(const FilmFormat& format, double aspect) {
 
 void validate(const FilmConfig& config) {
   validate(config.format);
-  if (config.view != "chase" && config.view != "overview" && config.view != "map") {
-    throw std::invalid_argument("outputs.video.view is '" + config.view +
-                                "'; it must be chase, overview or map");
-  }
   if (!(config.speed > 0.0) || !std::isfinite(config.speed)) {
     throw std::invalid_argument(
         fmt::format("outputs.video.speed is {}; it must be above 0", config.speed));
@@ -74,11 +70,11 @@ FilmSink::FilmSink(const FilmConfig& config, PictureWorld world)
       world_(std::move(world)),
       renderer_(config.format.width, config.format.height),
       film_(config.format) {
-  assert(world_.map || config_.view != "map");
+  assert(world_.map || config_.view != FilmView::kMap);
   if (!world_.map) return;
   map_item_ = map_item(*world_.map);
   const auto [width, height] = inset_size(config.format, aspect_of(*world_.map));
-  if (config_.view != "map") inset_.emplace(width, height);
+  if (config_.view != FilmView::kMap) inset_.emplace(width, height);
 }
 
 void FilmSink::on_odometry(const OdometryFrame& frame) {
@@ -92,13 +88,13 @@ void FilmSink::take(const SE2& T_map_base) {
   ScanRecord now = *newest_;
   now.T_map_base_true = T_map_base;
   any_ = true;
-  if (config_.view == "map") {
+  if (config_.view == FilmView::kMap) {
     film_.add(map_picture(renderer_, world_, *map_item_, now));
     return;
   }
-  sim::Image image =
-      renderer_.render(config_.view == "chase" ? chase_scene(world_, *newest_, T_map_base)
-                                               : overview_scene(world_, *newest_, T_map_base));
+  sim::Image image = renderer_.render(config_.view == FilmView::kChase
+                                          ? chase_scene(world_, *newest_, T_map_base)
+                                          : overview_scene(world_, *newest_, T_map_base));
   if (inset_) {
     put_into_corner(map_picture(*inset_, world_, *map_item_, now), image);
   }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 #include <Eigen/Core>
 
@@ -24,11 +23,18 @@ struct FilmFormat {
   int fps = 20;                ///< [1/s] Frame rate.
 };
 
+/// What a film shows.
+enum class FilmView {
+  kChase,     ///< The robot from behind, and the map in a corner.
+  kOverview,  ///< The world from above, and the map in a corner.
+  kMap,
+};
+
 /// Content and speed of a film.
 struct FilmConfig {
   FilmFormat format;
-  std::string view = "chase";  ///< "chase" or "overview", with the map in a corner, or "map".
-  double speed = 1.0;          ///< Seconds of the run per second of film.
+  FilmView view = FilmView::kChase;
+  double speed = 1.0;  ///< Seconds of the run per second of film.
 };
 
 /// A camera on the robot.

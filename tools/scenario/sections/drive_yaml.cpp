@@ -100,11 +100,11 @@ DriveSpec read_drive(YamlReader& root) {
   DriveSpec drive;
   YamlReader map = root.child("drive");
   fields(Settings::reading(map), drive);
-  if (!drive.twist_log.empty() && (drive.by != "truth" || !drive.route.empty())) {
+  if (!drive.twist_log.empty() && (!drive.by_truth() || !drive.route.empty())) {
     map.fail("'twist_log' drives by itself; leave out 'by' and 'route'");
   }
   if (!drive.path.empty() &&
-      (drive.by != "truth" || !drive.route.empty() || !drive.twist_log.empty())) {
+      (!drive.by_truth() || !drive.route.empty() || !drive.twist_log.empty())) {
     map.fail("'path' leads the robot; leave out 'by', 'route' and 'twist_log'");
   }
   return drive;

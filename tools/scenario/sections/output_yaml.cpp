@@ -24,7 +24,9 @@ void fields(Settings settings, FilmConfig& film) {
   settings.field({"height", "px", "Height; must be even.", kPixels}, film.format.height);
   settings.field({"fps", "1/s", "Frame rate.", {1.0, 120.0}}, film.format.fps);
   settings.field({"speed", "", "Seconds of the run per second of film.", {1e-3, 1e4}}, film.speed);
-  settings.choice({"view", "", "View of the film."}, film.view, {"chase", "overview", "map"});
+  settings.choice(
+      {"view", "", "View of the film."}, film.view,
+      {{"chase", FilmView::kChase}, {"overview", FilmView::kOverview}, {"map", FilmView::kMap}});
   if (film.format.width % 2 != 0 || film.format.height % 2 != 0) {
     settings.fail("'width' and 'height' must be even");
   }

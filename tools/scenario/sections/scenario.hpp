@@ -79,6 +79,8 @@ struct DriveSpec {
   std::string by = "truth";  ///< Pose that drives the robot: "truth" or the name of a localizer.
   sim::TwistLimits limits;
   double wait_s = 0.0;  ///< [s] Standstill at the beginning.
+
+  [[nodiscard]] bool by_truth() const { return by == "truth"; }
 };
 
 /// A lidar: changes to its profile or to the robot's description.

@@ -27,7 +27,7 @@ TEST(OutputSpec, HasADefaultForEveryKey) {
   EXPECT_FALSE(outputs.scans);
   EXPECT_EQ(outputs.points_every_s, 0.0);
   EXPECT_EQ(outputs.video.format.fps, 20);
-  EXPECT_EQ(outputs.video.view, "chase");
+  EXPECT_EQ(outputs.video.view, FilmView::kChase);
 }
 
 TEST(OutputSpec, TablesComeInTwoKinds) {
@@ -57,7 +57,7 @@ TEST(OutputSpec, ReadsAllKeys) {
   EXPECT_EQ(outputs.video.format.height, 360);
   EXPECT_EQ(outputs.video.format.fps, 25);
   EXPECT_EQ(outputs.video.speed, 4.0);
-  EXPECT_EQ(outputs.video.view, "map");
+  EXPECT_EQ(outputs.video.view, FilmView::kMap);
 }
 
 TEST(OutputSpec, ReadsFormatsOfOtherTools) {
