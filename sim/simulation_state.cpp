@@ -288,10 +288,10 @@ void Simulation::State::deliver(std::vector<SimFrame> scans) {
   }
 }
 
-void Simulation::State::read_imu(const Motion& motion) {
-  const std::vector<ImuReading> readings = sensors.read_imu(motion, std::exchange(moved, false));
+void Simulation::State::read_further_sensors(const Motion& motion) {
+  std::vector<SimFrame> readings = sensors.read_further(motion, std::exchange(moved, false));
   if (kidnaps.is_off()) return;
-  for (const ImuReading& reading : readings) frames.push_back({reading.stamp, reading});
+  std::ranges::move(readings, std::back_inserter(frames));
 }
 
 void Simulation::State::read_lidar(const Motion& motion) {
@@ -328,7 +328,7 @@ void Simulation::State::run_step() {
     frames.push_back({fault.stamp, HappeningRecord{fault.stamp, edge, fault.T_map_base_true}});
   }
   deliver(sensors.read_odometry(motion, before.wheels, after.wheels, robot.collisions()));
-  read_imu(motion);
+  read_further_sensors(motion);
   sample_cpu("lidar", [&] { read_lidar(motion); });
   if (frames.size() > 1) std::stable_sort(frames.begin(), frames.end(), earlier);
   now += step;

@@ -88,7 +88,7 @@ struct Simulation::State {
   void move_robot();
   void deliver(const std::vector<OdometryReading>& readings);
   void deliver(std::vector<SimFrame> scans);
-  void read_imu(const Motion& motion);
+  void read_further_sensors(const Motion& motion);
   void read_lidar(const Motion& motion);
   template <typename Work>
   void measure_cpu(const char* stage, Work work, int times = 1);

@@ -48,7 +48,7 @@ SensorStage::SensorStage(const SimulationConfig& config, const SimulationStreams
       timeline_(config.events.faults),
       odometry_(config, streams),
       odometry_period_(std::llround(1e9 / config.odometry.rate_hz)) {
-  if (config.imu) imu_.emplace(*config.imu, imu_stream(streams));
+  if (const auto& imu = config.sensors.imu) imu_.emplace(*imu, imu_stream(streams));
   const Surfaces surfaces(config.world);
   for (const LidarConfig& lidar : configs_) {
     devices_.push_back({LidarSweeper(lidar, surfaces, lidar_draws(streams, lidar)),
@@ -98,8 +98,13 @@ std::vector<OdometryReading> SensorStage::read_odometry(const Motion& motion,
   return readings;
 }
 
-std::vector<ImuReading> SensorStage::read_imu(const Motion& motion, bool moved) {
-  return imu_ ? imu_->read(motion, moved) : std::vector<ImuReading>{};
+std::vector<SimFrame> SensorStage::read_further(const Motion& motion, bool moved) {
+  std::vector<SimFrame> frames;
+  if (!imu_) return frames;
+  for (const ImuReading& reading : imu_->read(motion, moved)) {
+    frames.push_back({reading.stamp, reading});
+  }
+  return frames;
 }
 
 std::vector<SimFrame> SensorStage::read_lidars(const Surroundings& around, const Motion& motion) {

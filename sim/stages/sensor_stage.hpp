@@ -1,4 +1,4 @@
-/// Runs the sensors of a simulated run: lidars and odometry.
+/// Runs the sensors of a simulated run.
 #pragma once
 
 #include <chrono>
@@ -13,7 +13,8 @@
 
 namespace castaway::sim {
 
-/// Lidars and odometry of a run, each with its own random streams, and their faults.
+/// Lidars, odometry and further sensors of a run, each with its own random streams, and their
+/// faults.
 class SensorStage {
  public:
   /// @throws std::invalid_argument if a sensor's settings are impossible.
@@ -37,9 +38,9 @@ class SensorStage {
   /// wheel angles at its ends.
   std::vector<OdometryReading> read_odometry(const Motion& motion, const WheelAngles& begin,
                                              const WheelAngles& end, std::int64_t collisions = 0);
-  /// Returns the readings of the inertial measurement unit within a motion. `moved`: the robot was
-  /// put elsewhere at its beginning.
-  std::vector<ImuReading> read_imu(const Motion& motion, bool moved);
+  /// Returns what `FurtherSensors` deliver within a motion. `moved`: the robot was put elsewhere at
+  /// its beginning.
+  std::vector<SimFrame> read_further(const Motion& motion, bool moved);
   /// Returns the scans delivered within a motion; motions must follow each other without gaps in
   /// time. Leaves `LidarReading::people` empty.
   std::vector<SimFrame> read_lidars(const Surroundings& around, const Motion& motion);

@@ -19,7 +19,7 @@
 #include "sim/robot/bodies/path_robot.hpp"
 #include "sim/robot/bodies/twist_ramp.hpp"
 #include "sim/robot/urdf/robot_model.hpp"
-#include "sim/sensor/imu.hpp"
+#include "sim/sensor/further_sensors.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "sim/sensor/wheel_odometry.hpp"
 #include "sim/world/world.hpp"
@@ -58,7 +58,7 @@ struct SimulationConfig {
   /// At least one, with unique names. Crowds and look-alike kidnaps use the first.
   std::vector<LidarConfig> lidars{LidarConfig{}};
   OdometryConfig odometry;
-  std::optional<ImuConfig> imu{};  ///< Nothing: the robot has none.
+  FurtherSensors sensors;
   DriveConfig drive;
   EventLists events;
   /// Events may be added while it runs (`Simulation::add`). A run that is configured with them

@@ -137,7 +137,7 @@ PreparedSimulation assemble(const Scenario& scenario, const std::filesystem::pat
   config.events = scenario.events.simulated;
   check_faults(config.events.faults, robot.lidars);
   config.odometry = scenario.odometry;
-  config.imu = scenario.imu;
+  config.sensors = scenario.sensors;
   config.levels = levels_of(world.file.spec, prepared);
   config.drive = build_drive(
       scenario, base,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "tools/base/process/cpu_clock.hpp"
@@ -167,15 +168,19 @@ void Loop::tell_failures() {
 }
 
 void Loop::take(SensorSource& source, const Frame& frame) {
-  if (const auto* event = std::get_if<RunEvent>(&frame.data)) {
-    take(*event);
-  } else if (const auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
-    take(source, *odometry);
-  } else if (const auto* imu = std::get_if<ImuFrame>(&frame.data)) {
-    take(*imu);
-  } else {
-    take(std::get<ScanFrame>(frame.data), frame.stamp);
-  }
+  std::visit(
+      [&]<typename Data>(const Data& data) {
+        if constexpr (std::is_same_v<Data, OdometryFrame>) {
+          take(source, data);
+        } else if constexpr (std::is_same_v<Data, ScanFrame>) {
+          take(data, frame.stamp);
+        } else if constexpr (std::is_same_v<Data, RunEvent>) {
+          take(data);
+        } else {
+          pass_on(data);
+        }
+      },
+      frame.data);
 }
 
 void Loop::take(const RunEvent& event) {
@@ -186,11 +191,12 @@ void Loop::take(const RunEvent& event) {
   tell_sinks([&](RunSink& sink) { sink.on_event(event); });
 }
 
-void Loop::take(const ImuFrame& frame) {
+template <typename Reading>
+void Loop::pass_on(const Reading& reading) {
   for (std::size_t i = 0; i < localizers_.size(); ++i) {
-    call(i, [&](auto& localizer) { localizer.on_imu(frame.imu); });
+    call(i, [&](auto& localizer) { give(reading, localizer); });
   }
-  tell_sinks([&](RunSink& sink) { sink.on_imu(frame); });
+  tell_sinks([&](RunSink& sink) { tell(reading, sink); });
 }
 
 void Loop::take(SensorSource& source, const OdometryFrame& frame) {

@@ -101,7 +101,8 @@ class Loop {
   void take(SensorSource& source, const Frame& frame);
   void take(SensorSource& source, const OdometryFrame& frame);
   void take(const RunEvent& event);
-  void take(const ImuFrame& frame);
+  template <typename Reading>
+  void pass_on(const Reading& reading);  ///< To localizers and sinks.
   void take(const ScanFrame& frame, Stamp delivered);
   [[nodiscard]] std::optional<std::size_t> index_of(const std::string& name, const char* key) const;
   void drive(SensorSource& source) const;

@@ -100,4 +100,7 @@ class RunSink {
   virtual void finish(Stamp end, const RunTiming& timing) = 0;
 };
 
+/// Tells a sink of a reading that localizers take as it is.
+inline void tell(const ImuFrame& frame, RunSink& sink) { sink.on_imu(frame); }
+
 }  // namespace castaway::testbed

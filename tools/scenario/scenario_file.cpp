@@ -173,7 +173,7 @@ LoadedScenario read_scenario(YamlDocument document, const std::filesystem::path&
   scenario.drive = read_drive(root);
   scenario.lidars = read_lidars(root);
   scenario.odometry = read_odometry(root);
-  scenario.imu = read_imu(root);
+  scenario.sensors.imu = read_imu(root);
   scenario.events = read_events(root);
   scenario.people = read_people(root);
   scenario.localizers = read_localizers(root, "localizers", {folder, programs});

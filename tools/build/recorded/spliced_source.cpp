@@ -31,15 +31,9 @@ std::optional<OdometryFrame> first_truth(const Frames& frames, std::size_t begin
 /// Shifts a frame in time and transforms its odometry by `T_new_old`.
 void move_frame(Frame& frame, Stamp shift, const SE2& T_new_old) {
   frame.stamp += shift;
+  std::visit([shift](auto& data) { own_stamp(data) += shift; }, frame.data);
   if (auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
-    odometry->odometry.stamp += shift;
     odometry->odometry.T_odom_base = T_new_old * odometry->odometry.T_odom_base;
-  } else if (auto* scan = std::get_if<ScanFrame>(&frame.data)) {
-    scan->scan.stamp += shift;
-  } else if (auto* imu = std::get_if<ImuFrame>(&frame.data)) {
-    imu->imu.stamp += shift;
-  } else {
-    std::get<RunEvent>(frame.data).stamp += shift;
   }
 }
 

@@ -17,7 +17,7 @@
 #include "sim/events/event_lists.hpp"
 #include "sim/people/people_config.hpp"
 #include "sim/robot/bodies/twist_ramp.hpp"
-#include "sim/sensor/imu.hpp"
+#include "sim/sensor/further_sensors.hpp"
 #include "sim/sensor/wheel_odometry.hpp"
 #include "tools/outputs/pictures/picture_config.hpp"
 #include "tools/ros/bag_options.hpp"
@@ -158,7 +158,7 @@ struct Scenario {
   DriveSpec drive;
   std::vector<LidarSpec> lidars{LidarSpec{}};  ///< One without a name, or all lidars of the run.
   sim::OdometryConfig odometry;
-  std::optional<sim::ImuConfig> imu;  ///< Nothing: the robot has none.
+  sim::FurtherSensors sensors;
   EventSpecs events;
   PeopleSpec people;
   std::vector<LocalizerSpec> localizers;
