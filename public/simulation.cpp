@@ -3,14 +3,30 @@
 #include <cmath>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "public/read_scenario.hpp"
 #include "sim/casting/surfaces.hpp"
 #include "tools/build/build_simulation.hpp"
 #include "tools/build/map_conversion.hpp"
 #include "tools/build/simulator_source.hpp"
+#include "tools/run/event_names.hpp"
 
 namespace castaway {
+namespace {
+
+Event as_public(testbed::RunEvent event) {
+  testbed::EventNames names = testbed::names_of(event.what);
+  return {event.stamp,      std::move(names.kind), std::move(names.detail),
+          event.T_map_from, event.T_map_to,        event.since};
+}
+
+template <typename Reading>
+Reading as_public(Reading reading) {
+  return reading;
+}
+
+}  // namespace
 
 struct Simulation::Parts {
   std::string effective;
@@ -34,7 +50,15 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
-std::optional<Frame> Simulation::next() { return parts_->source->next(); }
+std::optional<Frame> Simulation::next() {
+  std::optional<testbed::Frame> frame = parts_->source->next();
+  if (!frame) return std::nullopt;
+  return std::visit(
+      [&](auto&& data) {
+        return Frame{frame->stamp, as_public(std::move(data))};
+      },
+      std::move(frame->data));
+}
 
 void Simulation::command(const BaseVelocity& velocity) {
   if (!std::isfinite(velocity.v) || !std::isfinite(velocity.w)) {

@@ -41,7 +41,7 @@ void step_through(const castaway::Scenario& scenario) {
     if (std::holds_alternative<castaway::ScanFrame>(frame->data) && ++scans == 10) {
       simulation.kidnap(simulation.start_pose());
     } else if (const auto* event = std::get_if<castaway::Event>(&frame->data)) {
-      std::printf("%s after %d scans\n", castaway::event_name(event->kind).c_str(), scans);
+      std::printf("%s after %d scans\n", event->kind.c_str(), scans);
     }
   }
 }

@@ -3,7 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "castaway/frame.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::python {
 

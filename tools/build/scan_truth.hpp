@@ -1,12 +1,12 @@
 /// Converts simulated scans to those of the localizers, with their ground truth.
 #pragma once
 
-#include "castaway/frame.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "sim/sensor/readings.hpp"
 #include "sim/world/world.hpp"
 #include "tools/build/foreign/protocol/lidar_facts.hpp"
 #include "tools/outputs/records/hit_legend.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "castaway/frame.hpp"
 #include "sim/map/grid.hpp"
 #include "sim/sensor/lidar_config.hpp"
 #include "sim/stages/sim_frame.hpp"
 #include "tools/base/formats/ros_map.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

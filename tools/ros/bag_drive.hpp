@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "castaway/frame.hpp"
 #include "tools/ros/ros_sensor.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

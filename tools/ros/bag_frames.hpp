@@ -7,8 +7,8 @@
 
 #include <Eigen/Geometry>
 
-#include "castaway/frame.hpp"
 #include "tools/ros/ros_geometry.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

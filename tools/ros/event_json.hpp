@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "castaway/frame.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

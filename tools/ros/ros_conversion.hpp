@@ -6,9 +6,9 @@
 
 #include <Eigen/Geometry>
 
-#include "castaway/frame.hpp"
 #include "tools/base/formats/ros_map.hpp"
 #include "tools/ros/ros_sensor.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "castaway/frame.hpp"
 #include "tools/ros/cdr.hpp"
 #include "tools/ros/rosbag2_metadata.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

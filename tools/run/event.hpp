@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "localization/localizer.hpp"
+#include "castaway/pose.hpp"
 #include "sim/record/happening.hpp"
 #include "tools/run/localizer_order.hpp"
 

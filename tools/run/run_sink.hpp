@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "castaway/frame.hpp"
 #include "castaway/localizer.hpp"
+#include "tools/run/frame.hpp"
 #include "tools/run/outside_use.hpp"
 
 namespace castaway::testbed {

@@ -1,4 +1,4 @@
-#include "castaway/frame.hpp"
+#include "tools/run/frame.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "tools/batch/jobs/rows_file.hpp"
-#include "castaway/frame.hpp"
+#include "tools/run/frame.hpp"
 #include "tools/run/metrics/metric_paths.hpp"
 
 namespace castaway::testbed {

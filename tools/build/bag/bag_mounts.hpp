@@ -5,8 +5,8 @@
 #include <set>
 #include <string>
 
-#include "castaway/frame.hpp"
 #include "tools/ros/tf_tree.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

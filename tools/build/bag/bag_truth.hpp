@@ -4,8 +4,8 @@
 #include <map>
 #include <optional>
 
-#include "castaway/frame.hpp"
 #include "tools/ros/ros_geometry.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

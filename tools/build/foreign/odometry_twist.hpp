@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "castaway/frame.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

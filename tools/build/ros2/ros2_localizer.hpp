@@ -17,7 +17,7 @@
 #include "tools/build/ros2/robot_feed.hpp"
 #include "tools/build/ros2/ros_topic.hpp"
 #include "tools/ros/ros_geometry.hpp"
-#include "castaway/frame.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "castaway/frame.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "castaway/frame.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

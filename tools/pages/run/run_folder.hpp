@@ -9,8 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "castaway/frame.hpp"
 #include "localization/geometry/se2.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

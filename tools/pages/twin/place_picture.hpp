@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "castaway/frame.hpp"
 #include "tools/base/formats/ros_map.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "castaway/frame.hpp"
 #include "tools/ros/ros_sensor.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

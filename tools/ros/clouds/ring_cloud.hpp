@@ -1,8 +1,8 @@
 /// Clouds of other 3-D lidars as scans with layers.
 #pragma once
 
-#include "castaway/frame.hpp"
 #include "tools/ros/ros_sensor.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 

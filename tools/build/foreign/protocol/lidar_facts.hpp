@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "castaway/frame.hpp"
 #include "tools/ros/bag_frames.hpp"
+#include "tools/run/frame.hpp"
 
 namespace castaway::testbed {
 
