@@ -192,6 +192,18 @@ class OdometryFrame:
     def truth(self) -> _Pose | None:
         """True pose of base in map."""
 
+class ImuFrame:
+    """A reading of an inertial measurement unit, in base."""
+
+    @property
+    def stamp_ns(self) -> int: ...
+    @property
+    def angular_velocity(self) -> tuple[float, float, float]:
+        """(x, y, z) [rad/s]"""
+    @property
+    def linear_acceleration(self) -> tuple[float, float, float]:
+        """(x, y, z) [m/s^2] Specific force: at rest on level ground (0, 0, 9.81)."""
+
 class ScanFrame:
     """A scan, delivered at the time of its last beam, with its truth."""
 

@@ -7,11 +7,11 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from . import _castaway
-from ._castaway import Event, Lidar, Map, OdometryFrame, ScanFrame
+from ._castaway import Event, ImuFrame, Lidar, Map, OdometryFrame, ScanFrame
 from ._localizers import Pose
 from ._scenario import request
 
-Frame = OdometryFrame | ScanFrame | Event
+Frame = OdometryFrame | ScanFrame | ImuFrame | Event
 
 
 class Simulation:

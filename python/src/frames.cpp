@@ -1,7 +1,10 @@
 #include "python/src/frames.hpp"
 
+#include <array>
 #include <memory>
 #include <variant>
+
+#include <pybind11/stl.h>
 
 #include "python/src/arrays.hpp"
 #include "python/src/scan.hpp"
@@ -23,6 +26,11 @@ struct PythonScanFrame {
 /// An odometry reading with its truth.
 struct PythonOdometryFrame {
   OdometryFrame frame;
+};
+
+/// A reading of an inertial measurement unit.
+struct PythonImuFrame {
+  testbed::ImuFrame frame;
 };
 
 /// A row of `ScanFrame.people`.
@@ -59,6 +67,26 @@ void bind_odometry(py::module_& module) {
       .def_property_readonly(
           "truth", [](const Frame& f) { return to_python(f.frame.T_map_base_true); },
           "True pose of base in map.");
+}
+
+void bind_imu(py::module_& module) {
+  using Frame = PythonImuFrame;
+  const auto tuple_of = [](const Eigen::Vector3d& v) { return std::array{v.x(), v.y(), v.z()}; };
+  py::class_<Frame>(module, "ImuFrame", "A reading of an inertial measurement unit, in base.")
+      .def_property_readonly(
+          "stamp_ns", [](const Frame& f) { return f.frame.imu.stamp.count(); }, "[ns]")
+      .def_property_readonly(
+          "angular_velocity",
+          [tuple_of](const Frame& f) {
+            return py::tuple(py::cast(tuple_of(f.frame.imu.angular_velocity)));
+          },
+          "(x, y, z) [rad/s]")
+      .def_property_readonly(
+          "linear_acceleration",
+          [tuple_of](const Frame& f) {
+            return py::tuple(py::cast(tuple_of(f.frame.imu.linear_acceleration)));
+          },
+          "(x, y, z) [m/s^2] Specific force: at rest on level ground (0, 0, 9.81).");
 }
 
 void bind_scan_frame(py::module_& module) {
@@ -115,6 +143,8 @@ py::object to_python(testbed::Frame frame) {
   if (auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
     return py::cast(PythonOdometryFrame{*odometry});
   }
+  if (auto* imu = std::get_if<testbed::ImuFrame>(&frame.data))
+    return py::cast(PythonImuFrame{*imu});
   auto& taken = std::get<testbed::ScanFrame>(frame.data);
   auto scan = std::make_shared<localization::LaserScan>(std::move(taken.scan));
   return py::cast(PythonScanFrame{frame.stamp, std::move(scan), std::move(taken)});
@@ -122,6 +152,7 @@ py::object to_python(testbed::Frame frame) {
 
 void bind_frames(py::module_& module) {
   bind_odometry(module);
+  bind_imu(module);
   bind_scan_frame(module);
   bind_event(module);
 }

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import castaway
-from castaway import Event, OdometryFrame, ScanFrame, Simulation
+from castaway import Event, ImuFrame, OdometryFrame, ScanFrame, Simulation
 
 
 def steps(simulation, kind, seconds):
@@ -41,6 +41,15 @@ def test_scans_carry_labels_of_what_they_hit(short):
     assert any("wall" in name for name in names)
     ranges = simulation.map.cast(frame.truth, frame.scan.angles)
     assert ranges.shape == frame.scan.ranges.shape
+
+
+def test_an_imu_tells_of_gravity():
+    simulation = Simulation("lab/kidnap", set={"imu": True, "duration_s": 4})
+    frames = steps(simulation, ImuFrame, 1.0)
+    assert 50 < len(frames) < 250
+    assert math.isclose(np.mean([f.linear_acceleration[2] for f in frames]), 9.81, abs_tol=0.2)
+    assert len(frames[0].angular_velocity) == 3
+    assert frames[0].stamp_ns < frames[-1].stamp_ns
 
 
 def test_people_are_rows():

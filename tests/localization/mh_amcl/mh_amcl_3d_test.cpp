@@ -71,7 +71,8 @@ class BuildingDrive {
 
   const test::Building& building_;
   /// Does not own the volume.
-  Ground ground_ = SpaceMap{std::shared_ptr<const Volume>(nullptr, &building_.volume())};
+  Ground ground_ =
+      SpaceMap{std::shared_ptr<const Volume>(std::shared_ptr<void>(), &building_.volume())};
   SE2 truth_;
   bool has_room_ = false;
   SE2 T_odom_base_;
