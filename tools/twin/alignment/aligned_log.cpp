@@ -75,10 +75,9 @@ std::vector<RawScan> take_scans(const RecordedPlace& place, const ScanCorrection
       }
     } else if (const auto* event = std::get_if<RunEvent>(&frame.data)) {
       breaks = breaks || event->is<KidnapEvent>();
-    } else {
-      const auto& scan = std::get<ScanFrame>(frame.data);
-      if (!scans.empty() && scan.scan.lidar != scans.front().scan.lidar) continue;
-      scans.push_back({scan.scan, scan.T_map_base_true, breaks});
+    } else if (const auto* scan = std::get_if<ScanFrame>(&frame.data)) {
+      if (!scans.empty() && scan->scan.lidar != scans.front().scan.lidar) continue;
+      scans.push_back({scan->scan, scan->T_map_base_true, breaks});
       scans.back().scan.stamp += correction.stamp;
       log.stamps.push_back(scans.back().scan.stamp);
       breaks = false;

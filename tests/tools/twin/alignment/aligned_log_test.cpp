@@ -122,6 +122,13 @@ TEST(AlignedLog, WithTheSurfacesOfWallsIsRightWhereOneOfTwoOppositeWallsIsSeen) 
   expect_aligned(align_log(place, AlignBy::kTruth, at_borders()), truth, kWithin);
 }
 
+TEST(AlignedLog, PassesOverReadingsOfAnImu) {
+  RecordedPlace place = recorded_office(60);
+  const std::size_t scans = align_log(place, AlignBy::kTruth).scans.size();
+  place.frames.insert(place.frames.begin() + 5, Frame{place.frames[5].stamp, ImuFrame{}});
+  EXPECT_EQ(align_log(place, AlignBy::kTruth).scans.size(), scans);
+}
+
 TEST(AlignedLog, NeedsFiftyScans) {
   EXPECT_NO_THROW(align_log(recorded_office(50), AlignBy::kTruth));
   const std::string error = error_of([] { align_log(recorded_office(49), AlignBy::kTruth); });
