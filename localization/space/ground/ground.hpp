@@ -6,8 +6,8 @@
 #include <optional>
 #include <variant>
 
-#include "localization/geometry/pose_statistics.hpp"
 #include "castaway/localizer.hpp"
+#include "localization/geometry/pose_statistics.hpp"
 #include "localization/map/distance_field.hpp"
 #include "localization/map/occupancy_grid.hpp"
 #include "localization/space/volume/volume.hpp"

@@ -154,6 +154,5 @@ TEST_F(RendererTest, CapturesWhatIsInFrontTheRightWayUp) {
   EXPECT_EQ(view.instances[30 * 64 + 32], 60123);
 }
 
-
 }  // namespace
 }  // namespace castaway::sim

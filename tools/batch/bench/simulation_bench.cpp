@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "localization/geometry/random.hpp"
 #include "castaway/stamp.hpp"
+#include "localization/geometry/random.hpp"
 #include "sim/casting/moving_scene.hpp"
 #include "sim/common/random.hpp"
 #include "sim/map/free_space.hpp"
