@@ -76,6 +76,6 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "cmake, libeigen3-dev, libfmt-dev, libyaml-cpp-dev")
 # What castaway::simulation links, besides.
 string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
-  "cyclonedds-dev, libassimp-dev, libbullet-dev, libepoxy-dev, libhdf5-dev, libjpeg-dev, liblz4-dev, liboctomap-dev, libpng-dev, "
+  "cyclonedds-dev, libassimp-dev, libbullet-dev, libepoxy-dev, libhdf5-dev, libjpeg-dev, liblz4-dev, liblzf-dev, liboctomap-dev, libpng-dev, "
   "libsdformat-dev, libsqlite3-dev, libssl-dev, libtinyxml-dev, liburdfdom-dev, libzstd-dev, nlohmann-json3-dev, pkg-config, zlib1g-dev")
 include(CPack)
