@@ -13,7 +13,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-const JobIdentity kIdentity{"evaluation", "1.0", "program", "data", "spec"};
+const JobIdentity kEvaluation{"evaluation", "1.0", "program", "data", "spec"};
 
 /// Runs batches of 2 and of 3 trials.
 class KeptTrialsTest : public testing::Test {
@@ -50,11 +50,11 @@ class KeptTrialsTest : public testing::Test {
 };
 
 TEST_F(KeptTrialsTest, AreNotMadeAgain) {
-  KeptTrials first(request(2), kIdentity, 5);
+  KeptTrials first(request(2), kEvaluation, 5);
   EXPECT_EQ(run(first), all_);
   EXPECT_EQ(made_, 5);
   EXPECT_TRUE(first.has_all());
-  KeptTrials again(request(), kIdentity, 5);
+  KeptTrials again(request(), kEvaluation, 5);
   fails_ = 0;
   EXPECT_EQ(run(again), all_);
   EXPECT_EQ(made_, 5);
@@ -64,18 +64,18 @@ TEST_F(KeptTrialsTest, AreNotMadeAgain) {
 TEST_F(KeptTrialsTest, GoOnWhereOneFailsOrItsProcessDies) {
   fails_ = 1;
   dies_ = 3;
-  KeptTrials kept(request(), kIdentity, 5);
+  KeptTrials kept(request(), kEvaluation, 5);
   EXPECT_EQ(run(kept), (Texts{"job 0", "", "job 2", "", "job 4"}));
   EXPECT_FALSE(kept.has_all());
   EXPECT_EQ(kept.report(), kRunFailed);
   fails_ = dies_ = -1;
   made_ = 0;
-  KeptTrials same(request(), kIdentity, 5);
+  KeptTrials same(request(), kEvaluation, 5);
   EXPECT_EQ(run(same)[1], "");
   EXPECT_EQ(made_, 0);
   BatchRequest retry = request();
   retry.retry_failed = true;
-  KeptTrials again(retry, kIdentity, 5);
+  KeptTrials again(retry, kEvaluation, 5);
   EXPECT_EQ(run(again), all_);
   EXPECT_EQ(made_, 2);
 }
@@ -83,21 +83,21 @@ TEST_F(KeptTrialsTest, GoOnWhereOneFailsOrItsProcessDies) {
 TEST_F(KeptTrialsTest, AreSharedAndCollected) {
   BatchRequest one = request();
   one.shard = {1, 2};
-  KeptTrials first(one, kIdentity, 5);
+  KeptTrials first(one, kEvaluation, 5);
   EXPECT_EQ(run(first), (Texts{"job 0", "", "job 2", "", "job 4"}));
   EXPECT_EQ(first.report(), kDone);
   EXPECT_EQ(unfinished_shards(one.out, 5, 2), std::vector<int>{2});
   BatchRequest collect = request();
   collect.collect = true;
-  KeptTrials early(collect, kIdentity, 5);
+  KeptTrials early(collect, kEvaluation, 5);
   run(early);
   EXPECT_EQ(early.report(), kRunFailed);
   one.shard = {2, 2};
   fails_ = 0;  // Not its own.
-  KeptTrials second(one, kIdentity, 5);
+  KeptTrials second(one, kEvaluation, 5);
   run(second);
   EXPECT_EQ(made_, 5);
-  KeptTrials whole(collect, kIdentity, 5);
+  KeptTrials whole(collect, kEvaluation, 5);
   EXPECT_EQ(run(whole), all_);
   EXPECT_EQ(whole.report(), kDone);
 }
@@ -105,8 +105,8 @@ TEST_F(KeptTrialsTest, AreSharedAndCollected) {
 TEST_F(KeptTrialsTest, OfNoFolderAreNotCollected) {
   BatchRequest collect = request();
   collect.collect = true;
-  EXPECT_TRUE(
-      contains(error_of([&] { KeptTrials(collect, kIdentity, 5); }), "it has no evaluation.json"));
+  EXPECT_TRUE(contains(error_of([&] { KeptTrials(collect, kEvaluation, 5); }),
+                       "it has no evaluation.json"));
   EXPECT_FALSE(std::filesystem::exists(collect.out));
 }
 
