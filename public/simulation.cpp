@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -15,15 +16,10 @@
 namespace castaway {
 namespace {
 
-Event as_public(testbed::RunEvent event) {
+Event as_public(const testbed::RunEvent& event) {
   testbed::EventNames names = testbed::names_of(event.what);
   return {event.stamp,      std::move(names.kind), std::move(names.detail),
           event.T_map_from, event.T_map_to,        event.since};
-}
-
-template <typename Reading>
-Reading as_public(Reading reading) {
-  return reading;
 }
 
 }  // namespace
@@ -54,10 +50,14 @@ std::optional<Frame> Simulation::next() {
   std::optional<testbed::Frame> frame = parts_->source->next();
   if (!frame) return std::nullopt;
   return std::visit(
-      [&](auto&& data) {
-        return Frame{frame->stamp, as_public(std::move(data))};
+      [&](auto& data) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(data)>, testbed::RunEvent>) {
+          return Frame{frame->stamp, as_public(data)};
+        } else {
+          return Frame{frame->stamp, std::move(data)};
+        }
       },
-      std::move(frame->data));
+      frame->data);
 }
 
 void Simulation::command(const BaseVelocity& velocity) {
