@@ -1,7 +1,6 @@
 #include "tools/batch/campaign/campaign_run.hpp"
 
 #include <filesystem>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -192,11 +191,11 @@ int make_campaign_on_slurm(const CampaignRequest& request, const ClusterRequest&
   const CampaignSpec& spec = campaign.spec;
   const auto unfinished = [&](int shards) {
     CellRows rows(folder.path(), spec.cells());
-    std::set<int> found;
+    std::vector<int> missing;
     for (const int cell : missing_cells(spec, rows, static_cast<std::size_t>(spec.cells()))) {
-      found.insert(shared_index(spec, cell) % shards + 1);
+      missing.push_back(shared_index(spec, cell));
     }
-    return std::vector<int>(found.begin(), found.end());
+    return shards_of(missing, shards);
   };
   const auto done = [&] { return RowIndex(folder.path(), spec.cells()).jobs().size(); };
   return follow_on_cluster({folder.path(), spec.name, "cells", spec.cells(), done, unfinished,

@@ -242,23 +242,15 @@ int make_dataset_on_slurm(const DatasetRequest& request, const ClusterRequest& c
   check_identity(request.out, identity);
   if (cluster.attach) require_begun(request.out);
   static_cast<void>(DatasetFolder(request.out, identity));
-  const auto missing_of = [&](int shards) {
-    std::vector<int> missing(static_cast<std::size_t>(shards));
-    for (int i = 0; i < request.sequences; ++i) {
-      const bool there = std::filesystem::exists(request.out / "sequences" / sequence_name(i));
-      missing[static_cast<std::size_t>(i % shards)] += there ? 0 : 1;
-    }
-    return missing;
-  };
-  const auto unfinished = [&](int shards) {
-    const std::vector<int> missing = missing_of(shards);
-    std::vector<int> found;
-    for (int k = 0; k < shards; ++k) {
-      if (missing[static_cast<std::size_t>(k)] > 0) found.push_back(k + 1);
-    }
+  const auto missing = [&] {
+    std::vector<int> found = jobs_up_to(request.sequences);
+    std::erase_if(found, [&](int i) {
+      return std::filesystem::exists(request.out / "sequences" / sequence_name(i));
+    });
     return found;
   };
-  const auto done = [&] { return static_cast<std::size_t>(request.sequences - missing_of(1)[0]); };
+  const auto unfinished = [&](int shards) { return shards_of(missing(), shards); };
+  const auto done = [&] { return static_cast<std::size_t>(request.sequences) - missing().size(); };
   const auto collect = [&] {
     DatasetRequest collecting = request;
     collecting.collect = true;

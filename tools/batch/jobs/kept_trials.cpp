@@ -1,7 +1,6 @@
 #include "tools/batch/jobs/kept_trials.hpp"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -64,15 +63,22 @@ std::vector<std::string> KeptTrials::run_next(int trials, const Work& run_trial,
     on_trial();
     return std::string();
   };
-  std::vector<int> to_make;
-  {
-    const RowIndex rows(folder_.path(), trials_);
-    for (int job = first; job < next_ && !request_.collect; ++job) {
-      const bool wanted = !rows.has(job) || (request_.retry_failed && rows.has_failed(job));
-      if (wanted && request_.shard.makes(job)) to_make.push_back(job);
-    }
-  }
+  const std::vector<int> to_make = trials_to_make(first);
   if (!to_make.empty()) make_rows(pass, to_make);
+  return take_results(first);
+}
+
+std::vector<int> KeptTrials::trials_to_make(int first) const {
+  std::vector<int> to_make;
+  const RowIndex rows(folder_.path(), trials_);
+  for (int job = first; job < next_ && !request_.collect; ++job) {
+    const bool wanted = !rows.has(job) || (request_.retry_failed && rows.has_failed(job));
+    if (wanted && request_.shard.makes(job)) to_make.push_back(job);
+  }
+  return to_make;
+}
+
+std::vector<std::string> KeptTrials::take_results(int first) {
   RowIndex rows(folder_.path(), trials_);
   std::vector<std::string> texts;
   for (int job = first; job < next_; ++job) {
@@ -106,11 +112,11 @@ int KeptTrials::report() const {
 
 std::vector<int> unfinished_shards(const std::filesystem::path& folder, int jobs, int shards) {
   const RowIndex rows(folder, jobs);
-  std::set<int> unfinished;
+  std::vector<int> missing;
   for (int job = 0; job < jobs; ++job) {
-    if (!rows.has(job)) unfinished.insert(job % shards + 1);
+    if (!rows.has(job)) missing.push_back(job);
   }
-  return {unfinished.begin(), unfinished.end()};
+  return shards_of(missing, shards);
 }
 
 }  // namespace castaway::testbed

@@ -33,6 +33,10 @@ class KeptTrials {
   std::vector<std::string> run_next(int trials, const Work& run_trial,
                                     const std::function<void()>& on_trial);
 
+  /// Of those from `first` on, up to `next_`.
+  [[nodiscard]] std::vector<int> trials_to_make(int first) const;
+  std::vector<std::string> take_results(int first);
+
   BatchRequest request_;
   JobFolder folder_;
   int trials_;

@@ -1,6 +1,7 @@
 #include "tools/batch/jobs/shard.hpp"
 
 #include <charconv>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 
@@ -16,6 +17,12 @@ int shard_number(std::string_view text) {
 }
 
 }  // namespace
+
+std::vector<int> shards_of(const std::vector<int>& jobs, int count) {
+  std::set<int> shards;
+  for (const int job : jobs) shards.insert(job % count + 1);
+  return {shards.begin(), shards.end()};
+}
 
 Shard parse_shard(const std::string& text) {
   const std::size_t slash = text.find('/');

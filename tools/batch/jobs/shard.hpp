@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace castaway::testbed {
 
@@ -15,6 +16,9 @@ struct Shard {
   /// True if this process makes job `job`, from 0 on.
   [[nodiscard]] bool makes(int job) const { return job % count + 1 == index; }
 };
+
+/// The shards, from 1 on, of `count` that make these jobs; ascending.
+std::vector<int> shards_of(const std::vector<int>& jobs, int count);
 
 /// Parses "3/8". Throws std::invalid_argument that names --shard.
 Shard parse_shard(const std::string& text);

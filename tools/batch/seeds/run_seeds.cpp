@@ -1,7 +1,6 @@
 #include "tools/batch/seeds/run_seeds.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -256,20 +255,17 @@ int run_seeds(SeedsRequest request) {
 
 int run_seeds_on_slurm(const SeedsRequest& request, const ClusterRequest& cluster) {
   const Scenario scenario = load(request, 0).scenario;
-  const auto missing = [&](int i) {
-    const auto record = load_record(seed_folder(request, i));
-    return !record || !record->finished;
+  const auto missing = [&] {
+    std::vector<int> found = jobs_up_to(request.seeds.count);
+    std::erase_if(found, [&](int i) {
+      const auto record = load_record(seed_folder(request, i));
+      return record && record->finished;
+    });
+    return found;
   };
-  const auto unfinished = [&](int shards) {
-    std::set<int> found;
-    for (int i = 0; i < request.seeds.count; ++i) {
-      if (missing(i)) found.insert(i % shards + 1);
-    }
-    return std::vector<int>(found.begin(), found.end());
-  };
+  const auto unfinished = [&](int shards) { return shards_of(missing(), shards); };
   const auto done = [&] {
-    const std::vector<int> all = jobs_up_to(request.seeds.count);
-    return all.size() - static_cast<std::size_t>(std::count_if(all.begin(), all.end(), missing));
+    return static_cast<std::size_t>(request.seeds.count) - missing().size();
   };
   const auto collect = [&] {
     SeedsRequest collecting = request;

@@ -17,6 +17,11 @@ TEST(Shard, EveryJobIsMadeByOneOfThem) {
   EXPECT_TRUE(Shard{}.is_all());
 }
 
+TEST(Shard, AreThoseThatMakeTheJobs) {
+  EXPECT_EQ(shards_of({7, 1, 4, 5}, 3), (std::vector<int>{2, 3}));
+  EXPECT_TRUE(shards_of({}, 3).empty());
+}
+
 TEST(Shard, IsParsedFromItsPlaceAndTheirNumber) {
   const Shard shard = parse_shard("3/8");
   EXPECT_EQ(shard.index, 3);

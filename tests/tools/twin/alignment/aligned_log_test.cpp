@@ -1,3 +1,4 @@
+// Over 400 lines: all tests take logs from the same makers.
 #include "tools/twin/alignment/aligned_log.hpp"
 
 #include <algorithm>
