@@ -13,7 +13,6 @@ namespace castaway::testbed {
 namespace {
 
 using std::chrono::milliseconds;
-using std::chrono::seconds;
 
 const OdometryFrame* odometry_in(const Frame& frame) {
   return std::get_if<OdometryFrame>(&frame.data);
@@ -43,26 +42,26 @@ TEST(Stretch, IsTheLogFromAScanOnForATime) {
   const Frames part = stretch(frames, 4, milliseconds(400));
   ASSERT_EQ(part.size(), 8U);  // scans 4, 5 and 6 with their odometry, and two odometry readings
                                // between
-  EXPECT_EQ(part.front().stamp, seconds(10) + milliseconds(800));
+  EXPECT_EQ(part.front().stamp, std::chrono::seconds(10) + milliseconds(800));
   ASSERT_NE(odometry_in(part.front()), nullptr);
   EXPECT_DOUBLE_EQ(odometry_in(part.front())->odometry.T_odom_base.x, 0.4);
-  EXPECT_EQ(part.back().stamp, seconds(10) + milliseconds(1200));
+  EXPECT_EQ(part.back().stamp, std::chrono::seconds(10) + milliseconds(1200));
   EXPECT_NE(scan_in(part.back()), nullptr);
 }
 
 TEST(Stretch, EndsWithTheLog) {
-  EXPECT_EQ(stretch(straight_log(10), 9, seconds(60)).size(), 3U);
+  EXPECT_EQ(stretch(straight_log(10), 9, std::chrono::seconds(60)).size(), 3U);
   EXPECT_EQ(stretch(straight_log(10), 0, Stamp::max()).size(), 30U);
 }
 
 TEST(Stretch, NeedsItsScan) {
-  const std::string error = error_of([] { stretch(straight_log(10), 10, seconds(1)); });
+  const std::string error = error_of([] { stretch(straight_log(10), 10, std::chrono::seconds(1)); });
   EXPECT_TRUE(contains(error, "no scan 10: the log has 10"));
-  EXPECT_THROW(stretch(Frames{}, 0, seconds(1)), std::out_of_range);
+  EXPECT_THROW(stretch(Frames{}, 0, std::chrono::seconds(1)), std::out_of_range);
 }
 
 TEST(Splice, TellsOfTheJumpBetweenItsTwoStretches) {
-  const Frames part = splice(straight_log(50), {5, 8, 30, seconds(60)});
+  const Frames part = splice(straight_log(50), {5, 8, 30, std::chrono::seconds(60)});
   const std::size_t at = event_position(part);
   ASSERT_EQ(at, 3U * 3 + 2);  // scans 5, 6 and 7 with their odometry, then scan 8
   ASSERT_NE(scan_in(part[at - 1]), nullptr);
@@ -78,7 +77,7 @@ TEST(Splice, TellsOfTheJumpBetweenItsTwoStretches) {
 }
 
 TEST(Splice, OdometryRunsOnAcrossTheJump) {
-  const Frames part = splice(straight_log(50), {5, 8, 30, seconds(60)});
+  const Frames part = splice(straight_log(50), {5, 8, 30, std::chrono::seconds(60)});
   const std::size_t at = event_position(part);
   EXPECT_NEAR(odometry_in(part[at - 2])->odometry.T_odom_base.x, 0.8, 1e-12);
   EXPECT_NEAR(odometry_in(part[at + 1])->odometry.T_odom_base.x, 0.8, 1e-12);
@@ -89,7 +88,7 @@ TEST(Splice, TurnsTheOdometryThatFollows) {
   Frames frames = straight_log(4);
   auto& before = std::get<OdometryFrame>(frames[3].data).odometry;  // of scan 1
   before.T_odom_base.yaw = 0.5 * 3.14159265358979;
-  const Frames part = splice(frames, {1, 1, 2, seconds(60)});
+  const Frames part = splice(frames, {1, 1, 2, std::chrono::seconds(60)});
   const auto& after = odometry_in(part[event_position(part) + 3])->odometry;
   EXPECT_NEAR(after.T_odom_base.x, 0.1, 1e-12);  // 5 cm forward, now along y
   EXPECT_NEAR(after.T_odom_base.y, 0.05, 1e-12);
@@ -97,7 +96,7 @@ TEST(Splice, TurnsTheOdometryThatFollows) {
 
 TEST(Splice, TimeGoesOnByItsOldSteps) {
   for (const std::size_t to : {30U, 2U}) {  // forwards and backwards in the log
-    const Frames part = splice(straight_log(50), {5, 8, to, seconds(1)});
+    const Frames part = splice(straight_log(50), {5, 8, to, std::chrono::seconds(1)});
     std::vector<Stamp> scans;
     for (std::size_t i = 0; i < part.size(); ++i) {
       EXPECT_GE(part[i].stamp, part[i == 0 ? 0 : i - 1].stamp);
@@ -116,17 +115,17 @@ TEST(Splice, TimeGoesOnByItsOldSteps) {
 }
 
 TEST(Splice, FromTheLastScanLeavesATenthOfASecond) {
-  const Frames part = splice(straight_log(5), {3, 4, 0, seconds(60)});
+  const Frames part = splice(straight_log(5), {3, 4, 0, std::chrono::seconds(60)});
   const std::size_t at = event_position(part);
   EXPECT_EQ(part[at].stamp - part[at - 1].stamp, milliseconds(100));
 }
 
 TEST(Splice, RefusesWhatIsNotThere) {
   const Frames frames = straight_log(10);
-  EXPECT_THROW(splice(frames, {10, 10, 0, seconds(1)}), std::out_of_range);
-  EXPECT_THROW(splice(frames, {0, 10, 0, seconds(1)}), std::out_of_range);
-  EXPECT_THROW(splice(frames, {0, 5, 10, seconds(1)}), std::out_of_range);
-  EXPECT_THROW(splice(frames, {6, 5, 0, seconds(1)}), std::invalid_argument);
+  EXPECT_THROW(splice(frames, {10, 10, 0, std::chrono::seconds(1)}), std::out_of_range);
+  EXPECT_THROW(splice(frames, {0, 10, 0, std::chrono::seconds(1)}), std::out_of_range);
+  EXPECT_THROW(splice(frames, {0, 5, 10, std::chrono::seconds(1)}), std::out_of_range);
+  EXPECT_THROW(splice(frames, {6, 5, 0, std::chrono::seconds(1)}), std::invalid_argument);
 }
 
 TEST(RecordedSource, PlaysItsFramesOnce) {

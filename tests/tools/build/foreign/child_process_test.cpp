@@ -18,7 +18,6 @@ namespace castaway::testbed {
 namespace {
 
 using std::chrono::milliseconds;
-using std::chrono::seconds;
 
 std::vector<std::string> shell(const std::string& script) { return {"sh", "-c", script}; }
 
@@ -34,15 +33,15 @@ bool is_running(pid_t process) {
 TEST(ChildProcess, ExchangesLines) {
   ChildProcess program(shell("while read line; do echo \"<$line>\"; done"), {});
   LineChannel channel(program);
-  EXPECT_EQ(channel.exchange("a b\n", seconds(10)), "<a b>");
-  EXPECT_EQ(channel.exchange("c\n", seconds(10)), "<c>");
+  EXPECT_EQ(channel.exchange("a b\n", std::chrono::seconds(10)), "<a b>");
+  EXPECT_EQ(channel.exchange("c\n", std::chrono::seconds(10)), "<c>");
 }
 
 TEST(ChildProcess, ExchangesMoreThanAPipeHolds) {
   ChildProcess program({"cat"}, {});
   LineChannel channel(program);
   const std::string line(500'000, 'x');
-  EXPECT_EQ(channel.exchange(line + "\n", seconds(20)), line);
+  EXPECT_EQ(channel.exchange(line + "\n", std::chrono::seconds(20)), line);
 }
 
 TEST(ChildProcess, SaysWhyAProgramCannotBeStarted) {
@@ -54,9 +53,9 @@ TEST(ChildProcess, SaysWhyAProgramCannotBeStarted) {
 
 TEST(ChildProcess, TellsHowItEnded) {
   ChildProcess exits(shell("exit 3"), {});
-  EXPECT_EQ(exits.how_it_ended(seconds(10)), "exited with 3");
+  EXPECT_EQ(exits.how_it_ended(std::chrono::seconds(10)), "exited with 3");
   ChildProcess dies(shell("kill -SEGV $$"), {});
-  EXPECT_EQ(dies.how_it_ended(seconds(10)), "was killed by signal 11 (Segmentation fault)");
+  EXPECT_EQ(dies.how_it_ended(std::chrono::seconds(10)), "was killed by signal 11 (Segmentation fault)");
   ChildProcess runs({"sleep", "100"}, {});
   EXPECT_EQ(runs.how_it_ended(milliseconds(0)), std::nullopt);
 }
@@ -66,7 +65,7 @@ TEST(ChildProcess, WritesStandardErrorToItsLog) {
   const auto log = folder.path() / "mine.log";
   {
     ChildProcess program(shell("echo one >&2; echo two >&2"), log);
-    (void)program.how_it_ended(seconds(10));
+    (void)program.how_it_ended(std::chrono::seconds(10));
   }
   EXPECT_EQ(read_file(log), "one\ntwo\n");
 }
@@ -76,7 +75,7 @@ TEST(ChildProcess, LimitsItsLog) {
   const auto log = folder.path() / "mine.log";
   {
     ChildProcess program(shell("head -c 20000000 /dev/zero >&2"), log);
-    EXPECT_EQ(program.how_it_ended(seconds(60)), "exited with 0");
+    EXPECT_EQ(program.how_it_ended(std::chrono::seconds(60)), "exited with 0");
   }
   EXPECT_EQ(std::filesystem::file_size(log), static_cast<std::uintmax_t>(kLongestLog));
 }
@@ -109,14 +108,14 @@ TEST(ChildProcess, EndsAProgramThatStopsItsParent) {
   const pid_t process = first_number(program);
   const auto begin = std::chrono::steady_clock::now();
   program.end();
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, seconds(5));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
   EXPECT_FALSE(is_running(process));
 }
 
 TEST(ChildProcess, EndsTheDescendantsOfAProgramThatKillsItsParent) {
   ChildProcess program(shell("setsid sleep 100 & echo $!; kill -9 $PPID; sleep 100"), {});
   const pid_t descendant = first_number(program);
-  EXPECT_EQ(program.how_it_ended(seconds(10)), "was killed by signal 9 (Killed)");
+  EXPECT_EQ(program.how_it_ended(std::chrono::seconds(10)), "was killed by signal 9 (Killed)");
   program.end();
   EXPECT_FALSE(is_running(descendant));
 }
@@ -142,19 +141,19 @@ TEST(LineChannel, WaitsNoLongerThanItShould) {
 TEST(LineChannel, TellsWhatTheProgramDid) {
   ChildProcess ends(shell("read line; exit 5"), {});
   LineChannel to_end(ends);
-  EXPECT_EQ(error_of([&] { (void)to_end.exchange("a\n", seconds(10)); }), "exited with 5");
+  EXPECT_EQ(error_of([&] { (void)to_end.exchange("a\n", std::chrono::seconds(10)); }), "exited with 5");
   ChildProcess closes(shell("exec >&-; sleep 100"), {});
   LineChannel to_close(closes);
-  EXPECT_EQ(error_of([&] { (void)to_close.exchange("a\n", seconds(10)); }),
+  EXPECT_EQ(error_of([&] { (void)to_close.exchange("a\n", std::chrono::seconds(10)); }),
             "closed its standard output");
   ChildProcess floods({"yes"}, {});
   LineChannel to_flood(floods);
   std::this_thread::sleep_for(milliseconds(100));
-  EXPECT_EQ(error_of([&] { (void)to_flood.exchange("a\n", seconds(10)); }),
+  EXPECT_EQ(error_of([&] { (void)to_flood.exchange("a\n", std::chrono::seconds(10)); }),
             "answered before it was asked");
   ChildProcess rambles(shell("read line; tr '\\0' x < /dev/zero"), {});
   LineChannel to_ramble(rambles);
-  EXPECT_EQ(error_of([&] { (void)to_ramble.exchange("a\n", seconds(10)); }),
+  EXPECT_EQ(error_of([&] { (void)to_ramble.exchange("a\n", std::chrono::seconds(10)); }),
             "answered more than 1048576 bytes");
 }
 

@@ -8,7 +8,7 @@
 namespace castaway::testbed {
 namespace {
 
-using Json = nlohmann::json;
+using PageJson = nlohmann::json;
 
 sim::SceneItem ball(int rings) {
   sim::SceneItem item;
@@ -30,23 +30,23 @@ PageScene scene_of(int rings) {
 TEST(PageScene, TellsOfFloorMeshesAndPeople) {
   PageScene scene = scene_of(8);
   scene.people = {{.height = 1.6, .leg_radius = 0.06}};
-  const Json json = Json::parse(page_scene_json(scene, kReportSceneBytes));
-  EXPECT_EQ(json.at("extent"), Json({-1.0, -2.0, 3.0, 4.0}));
-  EXPECT_EQ(json.at("floor"), Json({1.0, 0.5, 0.25}));
+  const PageJson json = PageJson::parse(page_scene_json(scene, kReportSceneBytes));
+  EXPECT_EQ(json.at("extent"), PageJson({-1.0, -2.0, 3.0, 4.0}));
+  EXPECT_EQ(json.at("floor"), PageJson({1.0, 0.5, 0.25}));
   EXPECT_EQ(json.at("top"), 2.0);
   EXPECT_TRUE(json.at("roof").is_null());
   EXPECT_EQ(json.at("thinned_m"), 0.0);
-  EXPECT_EQ(json.at("person").at("bodies"), Json::parse("[[1.6, 0.06]]"));
+  EXPECT_EQ(json.at("person").at("bodies"), PageJson::parse("[[1.6, 0.06]]"));
   EXPECT_GT(json.at("world").at("positions").get<std::string>().size(),
             json.at("robot").at("positions").get<std::string>().size());
 }
 
 TEST(PageScene, ChangingObjectsHaveALookForEachChange) {
   PageScene scene = scene_of(8);
-  EXPECT_FALSE(Json::parse(page_scene_json(scene, kReportSceneBytes)).contains("changing"));
+  EXPECT_FALSE(PageJson::parse(page_scene_json(scene, kReportSceneBytes)).contains("changing"));
   scene.changing["crate"] = {{}, {ball(4)}, {}};
-  const Json looks =
-      Json::parse(page_scene_json(scene, kReportSceneBytes)).at("changing").at("crate");
+  const PageJson looks =
+      PageJson::parse(page_scene_json(scene, kReportSceneBytes)).at("changing").at("crate");
   ASSERT_EQ(looks.size(), 3U);
   EXPECT_TRUE(looks[0].is_null());
   EXPECT_FALSE(looks[1].at("indices").get<std::string>().empty());
@@ -55,9 +55,9 @@ TEST(PageScene, ChangingObjectsHaveALookForEachChange) {
 
 TEST(PageScene, RoofsAreApart) {
   PageScene scene = scene_of(8);
-  const Json open = Json::parse(page_scene_json(scene, kReportSceneBytes));
+  const PageJson open = PageJson::parse(page_scene_json(scene, kReportSceneBytes));
   scene.world.roofs = {ball(3)};
-  const Json roofed = Json::parse(page_scene_json(scene, kReportSceneBytes));
+  const PageJson roofed = PageJson::parse(page_scene_json(scene, kReportSceneBytes));
   EXPECT_FALSE(roofed.at("roof").at("indices").get<std::string>().empty());
   EXPECT_EQ(roofed.at("world"), open.at("world"));
 }
@@ -68,7 +68,7 @@ TEST(PageScene, IsThinnedUntilItIsSmallEnough) {
   EXPECT_GT(page_scene_json(scene, kLiveSceneBytes).size(), 2 * kMost);
   const std::string text = page_scene_json(scene, kMost);
   EXPECT_LT(text.size(), kMost + 100'000);  // People are not counted.
-  const Json json = Json::parse(text);
+  const PageJson json = PageJson::parse(text);
   EXPECT_GT(json.at("thinned_m"), 0.0);
   EXPECT_LT(json.at("thinned_m"), 0.3);
   EXPECT_GT(json.at("world").at("indices").get<std::string>().size(), 10'000U);

@@ -9,7 +9,7 @@
 namespace castaway::testbed {
 namespace {
 
-const std::vector<std::string> kNames{"a"};
+const std::vector<std::string> kFilmed{"a"};
 
 RosMap filmed_map() {
   RosMap map;
@@ -26,7 +26,7 @@ FilmConfig config(const std::filesystem::path& file) {
   return config;
 }
 
-OdometryFrame odometry_at(double t) {
+OdometryFrame filmed_odometry(double t) {
   return {{localization::from_seconds(t), {0.1 * t, 0.0, 0.0}}, SE2{0.1 * t, 0.0, 0.0}};
 }
 
@@ -36,8 +36,8 @@ std::uintmax_t film_of(const FilmConfig& config, bool with_truth = true) {
   world.map = filmed_map();
   FilmSink sink(config, world);
   for (int i = 0; i < 40; ++i) {
-    if (i % 4 == 0) sink.on_scan(record_at(0.05 * i, kNames));
-    OdometryFrame frame = odometry_at(0.05 * i);
+    if (i % 4 == 0) sink.on_scan(record_at(0.05 * i, kFilmed));
+    OdometryFrame frame = filmed_odometry(0.05 * i);
     if (!with_truth) frame.T_map_base_true.reset();
     sink.on_odometry(frame);
   }
