@@ -1,34 +1,70 @@
 #include "sim/simulation.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "sim/map/level_plane.hpp"
-#include "sim/simulation_state.hpp"
 #include "sim/stages/drive_space.hpp"
+#include "sim/steps.hpp"
 
 namespace castaway::sim {
 
 using std::chrono::nanoseconds;
 
-Simulation::Simulation(SimulationConfig config, SimulationStreams streams, CpuClock cpu_clock)
-    : state_(std::make_unique<State>(std::move(config), std::move(streams), std::move(cpu_clock))) {
+namespace {
+
+// Stages of every step are timed in one of so many: reading the clock takes as long as some of
+// them. A prime, so that no period of a sensor is a multiple of it.
+constexpr int kTimedOf = 7;
+
+std::size_t index_of_happening(const SimFrame& frame) {
+  const auto* record = std::get_if<HappeningRecord>(&frame.data);
+  return record != nullptr ? record->what.index() : 0;
 }
+
+/// Orders deliveries by time, then by their kinds' order in `SimFrame` and in `Happening`.
+bool earlier(const SimFrame& a, const SimFrame& b) {
+  if (a.stamp != b.stamp) return a.stamp < b.stamp;
+  if (a.data.index() != b.data.index()) return a.data.index() < b.data.index();
+  return index_of_happening(a) < index_of_happening(b);
+}
+
+}  // namespace
+
+Simulation::Simulation(SimulationConfig config, SimulationStreams streams, CpuClock cpu_clock)
+    : state_(std::make_unique<State>(std::move(config), std::move(streams))),
+      cpu_clock_(std::move(cpu_clock)) {}
 
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
 std::optional<SimFrame> Simulation::next() {
-  while (state_->frames.empty() && state_->now < state_->config.duration) state_->run_step();
+  while (state_->frames.empty() && state_->now < state_->config.duration) make_step();
   const bool over =
       state_->frames.empty() || state_->frames.front().stamp >= state_->config.duration;
   if (over) return std::nullopt;
   SimFrame frame = std::move(state_->frames.front());
   state_->frames.pop_front();
   return frame;
+}
+
+void Simulation::make_step() {
+  for (const SimulationStage& stage : kSimulationStages) {
+    if (stage.due != nullptr && !stage.due(*state_)) continue;
+    const int times = stage.due != nullptr ? 1 : kTimedOf;
+    const bool timed = cpu_clock_ && stage.timed_as != nullptr && state_->steps % times == 0;
+    const nanoseconds before = timed ? cpu_clock_() : nanoseconds{};
+    stage.run(*state_);
+    if (timed) cpu_[stage.timed_as] += times * (cpu_clock_() - before);
+  }
+  std::deque<SimFrame>& frames = state_->frames;
+  if (frames.size() > 1) std::stable_sort(frames.begin(), frames.end(), earlier);
+  state_->now += state_->step;
+  ++state_->steps;
 }
 
 void Simulation::set_drive_pose(const std::optional<Pose2>& T_map_base) {
@@ -46,7 +82,7 @@ void Simulation::set_command(const std::optional<Twist2>& command) {
 
 void Simulation::add(const EventSpec& event) {
   if (!state_->config.open) throw std::logic_error("an event for a run that is not open");
-  std::visit([this](const auto& each) { state_->add(each); }, event);
+  std::visit([this](const auto& each) { sim::add(each, *state_); }, event);
 }
 
 const WorldSpec& Simulation::world() const { return state_->config.world; }
@@ -102,6 +138,6 @@ std::vector<std::pair<PersonBody, PersonState>> Simulation::people() const {
   return result;
 }
 
-std::map<std::string, nanoseconds> Simulation::cpu_by_stage() const { return state_->cpu; }
+std::map<std::string, nanoseconds> Simulation::cpu_by_stage() const { return cpu_; }
 
 }  // namespace castaway::sim

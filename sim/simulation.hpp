@@ -87,9 +87,15 @@ class Simulation {
   /// are seven times what one of seven steps took.
   [[nodiscard]] std::map<std::string, std::chrono::nanoseconds> cpu_by_stage() const;
 
- private:
+  /// What the stages of a step share (sim/steps.hpp).
   struct State;
+
+ private:
+  void make_step();
+
   std::unique_ptr<State> state_;
+  CpuClock cpu_clock_;
+  std::map<std::string, std::chrono::nanoseconds> cpu_;
 };
 
 }  // namespace castaway::sim

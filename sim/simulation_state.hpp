@@ -1,4 +1,4 @@
-/// What a simulation consists of; for `Simulation` alone.
+/// The state of a simulated run, which the stages of a step share; for `Simulation` alone.
 #pragma once
 
 #include <chrono>
@@ -61,44 +61,20 @@ class PlaneTracker {
   double shift_ = 0.0;  ///< [m] Along y from map to the chart.
 };
 
-/// Time advances by physics steps [now, now + step). Each step starts with kidnaps, people and
-/// control; then physics advances, and the sensors deliver the readings due within the step.
+/// What the stages of a step share. Time advances by physics steps [now, now + step).
 struct Simulation::State {
-  State(SimulationConfig configuration, SimulationStreams random_streams, CpuClock clock);
+  State(SimulationConfig configuration, SimulationStreams random_streams);
 
-  void run_step();
-  void tell(Happening what, const Pose2& T_map_base);
-  void add(const KidnapSpec& kidnap);
-  void add(const FaultSpec& fault);
-  void add(const DriveCommand& command);
-  void add(const WorldChange& change);
-  void kidnap();
-  void kidnap_on_request();
-  void take_commands();
-  void change_world();
-  bool make(const WorldChange& change);
-  void take_new_world();
-  void find_ways();
-  [[nodiscard]] bool has_room(const WorldChange& change) const;
-  void teleport(KidnapRecord record);
-  void require_level_support() const;
-  [[nodiscard]] bool localized() const;
-  void move_people();
-  void command();
-  void move_robot();
-  void deliver(const std::vector<OdometryReading>& readings);
-  void deliver(std::vector<SimFrame> scans);
-  void read_further_sensors(const Motion& motion);
-  void read_lidar(const Motion& motion);
-  template <typename Work>
-  void measure_cpu(const char* stage, Work work, int times = 1);
-  template <typename Work>
-  void sample_cpu(const char* stage, Work work);
+  /// T_plane_base, and T_map_base in the plane.
+  Pose2 T_plane_base() { return plane.locate(robot.state().T_map_base); }
+  [[nodiscard]] Pose2 T_map_base() const { return to_planar(robot.state().T_map_base); }
+  /// Delivers that something happened now.
+  void tell(Happening what, const Pose2& T_map_base) {
+    frames.push_back({now, HappeningRecord{now, std::move(what), T_map_base}});
+  }
 
   SimulationConfig config;
   SimulationStreams streams;
-  CpuClock cpu_clock;
-  std::map<std::string, std::chrono::nanoseconds> cpu;
 
   std::chrono::nanoseconds step;
   std::chrono::nanoseconds now{};
@@ -115,6 +91,8 @@ struct Simulation::State {
   PeopleStage people;
   ProgressWatch progress;
   WorldStage changes;
+  Motion motion{};                                     ///< Of base, in the step.
+  WheelAngles wheels_before;                           ///< At the begin of the step.
   bool moved = false;                                  ///< By a kidnap, since the last step.
   bool changed = false;                                ///< The world is not the one of the start.
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] Of base in map.

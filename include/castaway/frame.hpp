@@ -22,6 +22,22 @@ using localization::SE2;
 using localization::seconds;
 using localization::Stamp;
 
+/// The true pose of base.
+struct TruePose {
+  SE2 T_map_base;
+  /// Height, roll and pitch, in runs on several floors.
+  std::optional<Eigen::Isometry3d> T_footprint_base{};
+
+  TruePose() = default;
+  /// Implicit: on one floor it is a pose in the plane.
+  TruePose(const SE2& in_plane) : T_map_base(in_plane) {}
+
+  /// [m] Height of base; 0 on one floor.
+  [[nodiscard]] double z() const {
+    return T_footprint_base ? T_footprint_base->translation().z() : 0.0;
+  }
+};
+
 /// The state of a person.
 struct PersonTruth {
   int id = 0;
@@ -54,19 +70,15 @@ struct ScanTruth {
 /// A scan with the true pose of base at the scan's stamp, where it is known.
 struct ScanFrame {
   LaserScan scan;
-  std::optional<SE2> T_map_base_true;
+  std::optional<TruePose> true_pose;
   PeopleTruth people{};  ///< Empty if there are none or they are unknown.
   ScanTruth truth{};
-  /// Height, roll and pitch of base, in runs on several floors.
-  std::optional<Eigen::Isometry3d> T_footprint_base_true{};
 };
 
 /// An odometry reading with the true pose of base at its stamp, where it is known.
 struct OdometryFrame {
   Odometry odometry;
-  std::optional<SE2> T_map_base_true;
-  /// Height, roll and pitch of base, in runs on several floors.
-  std::optional<Eigen::Isometry3d> T_footprint_base_true{};
+  std::optional<TruePose> true_pose;
 };
 
 /// A reading of an inertial measurement unit.

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "localization/hypotheses/hypothesis.hpp"
+#include "localization/mh_amcl/ground.hpp"
 #include "localization/motion/odometry_noise.hpp"
-#include "localization/space/ground/ground.hpp"
 
 namespace castaway::localization {
 

@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "localization/matching/place_matcher.hpp"
+#include "localization/mh_amcl/ground.hpp"
 #include "localization/mh_amcl/mh_amcl_config.hpp"
 #include "localization/mh_amcl/tracking_filter.hpp"
 #include "localization/search/create.hpp"
 #include "localization/search/rescue.hpp"
 #include "localization/sensor/distance_filter.hpp"
 #include "localization/sensor/evidence_model.hpp"
-#include "localization/space/ground/ground.hpp"
 
 namespace castaway::localization {
 

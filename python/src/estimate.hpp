@@ -6,7 +6,7 @@
 #include <pybind11/pybind11.h>
 
 #include "castaway/localizer.hpp"
-#include "tools/build/foreign/protocol/answer.hpp"
+#include "tools/build/foreign/answer.hpp"
 
 namespace castaway::python {
 

@@ -65,7 +65,7 @@ void bind_odometry(py::module_& module) {
           "pose", [](const Frame& f) { return to_python(f.frame.odometry.T_odom_base); },
           "(x [m], y [m], yaw [rad]) of base in odom.")
       .def_property_readonly(
-          "truth", [](const Frame& f) { return to_python(f.frame.T_map_base_true); },
+          "truth", [](const Frame& f) { return to_python(T_map_base_of(f.frame.true_pose)); },
           "True pose of base in map.");
 }
 
@@ -98,7 +98,7 @@ void bind_scan_frame(py::module_& module) {
           "[ns] Time of delivery; the scan's own is that of its first beam.")
       .def_readonly("scan", &Frame::scan)
       .def_property_readonly(
-          "truth", [](const Frame& f) { return to_python(f.rest.T_map_base_true); },
+          "truth", [](const Frame& f) { return to_python(T_map_base_of(f.rest.true_pose)); },
           "True pose of base in map at the scan's stamp.")
       .def_property_readonly("people", &people_of,
                              "Structured array: id, x_m, y_m, yaw_rad, vx_m_per_s, vy_m_per_s, "

@@ -9,8 +9,8 @@
 #include "python/src/estimate.hpp"
 #include "python/src/map.hpp"
 #include "python/src/scan.hpp"
+#include "tools/build/foreign/message_text.hpp"
 #include "tools/build/foreign/odometry_twist.hpp"
-#include "tools/build/foreign/protocol/message_text.hpp"
 
 namespace castaway::python {
 namespace {

@@ -8,7 +8,7 @@
 #include <pybind11/pybind11.h>
 
 #include "castaway/localizer.hpp"
-#include "tools/build/foreign/protocol/answer.hpp"
+#include "tools/build/foreign/answer.hpp"
 #include "tools/run/foreign_config.hpp"
 
 namespace castaway::python {

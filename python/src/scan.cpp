@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "python/src/arrays.hpp"
-#include "tools/build/foreign/protocol/message_text.hpp"  // Lidar facts.
+#include "tools/build/foreign/message_text.hpp"  // Lidar facts.
 
 namespace castaway::python {
 namespace {

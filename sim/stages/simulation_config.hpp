@@ -65,8 +65,11 @@ struct SimulationConfig {
   /// gives the same bytes.
   bool open = false;
   PeopleConfig people;
-  Pose2 start;                ///< True pose of base in map; ignored if `random_start`.
-  bool random_start = false;  ///< Draws a pose in reachable free space.
+  /// A watched output nearer to the true pose is right (`KidnapTrigger::On::kLocalized`).
+  double right_position = 0.0;  ///< [m]
+  double right_yaw = 0.0;       ///< [rad]
+  Pose2 start;                  ///< True pose of base in map; ignored if `random_start`.
+  bool random_start = false;    ///< Draws a pose in reachable free space.
   std::chrono::nanoseconds duration = std::chrono::seconds(120);
   double physics_hz = 500.0;  ///< [Hz] Rounded to whole nanoseconds a step.
   DriveModel drive_model = DriveModel::kPhysics;

@@ -222,7 +222,7 @@ const Layers kSimLayers = {
     {"sim/people/forces", "sim/world/bullet"},
     {"sim/render", "sim/world"},
     {"sim/casting", "sim/robot/urdf", "sim/world/sdf"},
-    {"sim/map", "sim/robot/discovery", "sim/sensor", "sim/terrain"},
+    {"sim/map", "sim/robot/discovery", "sim/sensor"},
     {"sim/people/bodies"},
     {"sim/difference", "sim/events"},
     {"sim/people", "sim/robot/bodies"},
@@ -243,8 +243,7 @@ const Layers kToolsLayers = {
     {"tools/run", "tools/run/metrics/statistics"},
     {"tools/run/metrics"},
     // 3. ros
-    {"tools/ros/dds", "tools/ros/mcap"},
-    {"tools/ros/storage"},
+    {"tools/ros/dds", "tools/ros/storage"},
     {"tools/ros"},
     {"tools/ros/clouds"},
     // 4. outputs
@@ -257,9 +256,8 @@ const Layers kToolsLayers = {
     {"tools/scenario/localizers", "tools/scenario/world"},
     {"tools/scenario"},
     // 6. build
-    {"tools/build/foreign/protocol", "tools/build/map3d", "tools/build/recorded",
-     "tools/build/scene"},
-    {"tools/build/bag", "tools/build/foreign", "tools/build/ros2"},
+    {"tools/build/foreign", "tools/build/map3d", "tools/build/recorded", "tools/build/scene"},
+    {"tools/build/bag", "tools/build/ros2"},
     {"tools/build"},
     // 7. play
     {"tools/play/inspect", "tools/play/observation"},
@@ -283,7 +281,7 @@ const Layers kToolsLayers = {
     {"tools/pages/campaign"},
     // 11. live
     {"tools/live/lines"},
-    {"tools/live/bridge", "tools/live/server"},
+    {"tools/live/server"},
     {"tools/live"},
     // 12. commands
     {"tools/commands/arguments"},
@@ -298,8 +296,7 @@ const Layers kLocalizationLayers = {
     {"localization/space/volume"},
     {"localization/space/stack", "localization/sensor"},
     {"localization/space/ndt", "localization"},
-    {"localization/filter", "localization/input", "localization/matching",
-     "localization/space/ground"},
+    {"localization/filter", "localization/input", "localization/matching"},
     {"localization/hypotheses", "localization/amcl"},
     {"localization/search"},
     {"localization/mh_amcl"},

@@ -46,7 +46,7 @@ TEST(Simulation, DeliversWhatSensorsSendInOrderOfTime) {
   EXPECT_TRUE(std::any_of(scan.truth.labels.begin(), scan.truth.labels.end(), [&](int label) {
     return simulation.label_name(label).find("wall") != std::string::npos;
   }));
-  EXPECT_EQ(simulation.map().at(scan.T_map_base_true->translation()), CellState::kFree);
+  EXPECT_EQ(simulation.map().at(scan.true_pose->T_map_base.translation()), CellState::kFree);
 }
 
 TEST(Simulation, ObeysCommandsAndKidnaps) {
@@ -67,7 +67,7 @@ TEST(Simulation, ObeysCommandsAndKidnaps) {
   EXPECT_EQ(events[0].kind, "kidnap");
   ASSERT_TRUE(events[0].T_map_to.has_value());
   EXPECT_LT(distance(*events[0].T_map_to, aside), 1e-6);
-  const Pose2 last = only<OdometryFrame>(frames).back().T_map_base_true.value();
+  const Pose2 last = only<OdometryFrame>(frames).back().true_pose.value().T_map_base;
   EXPECT_LT(distance(last, aside), 0.05);
   EXPECT_GT(yaw_distance(last, aside), 0.5);
 }
@@ -88,7 +88,7 @@ TEST(Simulation, LetsTheScenarioDriveAgain) {
   for (int i = 0; i < 20; ++i) simulation.next();
   simulation.follow_route();
   const auto rest = only<OdometryFrame>(all_frames(simulation));
-  EXPECT_GT(distance(*rest.back().T_map_base_true, simulation.start_pose()), 0.1);
+  EXPECT_GT(distance(rest.back().true_pose->T_map_base, simulation.start_pose()), 0.1);
 }
 
 TEST(Simulation, RefusesWhatCannotBe) {

@@ -10,8 +10,8 @@
 
 #include "localization/mh_amcl/mh_amcl_models.hpp"
 #include "tools/base/formats/ros_map.hpp"
-#include "tools/build/foreign/protocol/lidar_facts.hpp"
-#include "tools/build/foreign/protocol/message_text.hpp"
+#include "tools/build/foreign/lidar_facts.hpp"
+#include "tools/build/foreign/message_text.hpp"
 #include "tools/build/shared_models.hpp"
 #include "tools/run/loop.hpp"
 #include "tools/scenario/sections/scenario.hpp"

@@ -5,7 +5,7 @@
 
 #include "sim/robot/load_robot.hpp"
 #include "sim/simulation.hpp"
-#include "tools/build/foreign/protocol/message_text.hpp"
+#include "tools/build/foreign/message_text.hpp"
 #include "tools/build/ros2/bridge_config.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 

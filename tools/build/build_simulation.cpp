@@ -14,6 +14,7 @@
 #include "tools/build/build_sensors.hpp"
 #include "tools/build/build_world.hpp"
 #include "tools/build/map3d/level_plane_of.hpp"
+#include "tools/run/metrics/recovery.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -84,9 +85,9 @@ std::optional<MapDifference> difference_of(const LoadedWorld& world,
   if (!differs_from_map(world.file.spec)) return std::nullopt;
   const sim::PlaceView view{lidar.T_base_laser.translation().z(), lidar.range_max};
   const sim::BeamChange beams = sim::changed_beams(world.file.spec, world.grid, view);
-  const WorldDifference layer = world.difference.value_or(WorldDifference{});
-  return MapDifference{beams.share,  layer.moved,  layer.removed,
-                       layer.opened, layer.closed, layer.added};
+  MapDifference difference = world.difference.value_or(MapDifference{});
+  difference.beams = beams.share;
+  return difference;
 }
 
 /// Warns if the wheels limit the robot to much less than the requested speed.
@@ -144,6 +145,8 @@ PreparedSimulation assemble(const Scenario& scenario, const std::filesystem::pat
       {&world.file.routes, &world.grid, config.spaces.get(), world.file.spec.name, config.levels},
       config.robot);
   config.people = scenario.people.config;
+  config.right_position = RecoveryConfig{}.position_m;
+  config.right_yaw = RecoveryConfig{}.yaw_rad;
   config.duration = localization::from_seconds(scenario.duration_s);
   config.physics_hz = scenario.physics_hz;
   if (scenario.kinematic) config.drive_model = sim::DriveModel::kKinematic;

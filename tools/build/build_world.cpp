@@ -77,8 +77,11 @@ void apply(const sim::DifferenceSpec& spec, std::uint64_t seed, LoadedWorld& wor
   sim::ChangedWorld changed =
       sim::change_world(std::move(world.file.spec), spec, world.grid, keep, rng);
   world.file.spec = std::move(changed.world);
-  world.difference = {changed.moved, changed.removed, changed.opened, changed.closed,
-                      changed.added};
+  world.difference = {.moved = changed.moved,
+                      .removed = changed.removed,
+                      .opened = changed.opened,
+                      .closed = changed.closed,
+                      .added = changed.added};
   for (const std::string& note : changed.notes) world.warnings.push_back("differences: " + note);
 }
 

@@ -10,19 +10,11 @@
 #include "sim/difference/changed_beams.hpp"
 #include "sim/stages/spaces.hpp"
 #include "tools/base/formats/ros_map.hpp"
+#include "tools/run/run_sink.hpp"
 #include "tools/scenario/sections/scenario.hpp"
 #include "tools/scenario/world/world_file.hpp"
 
 namespace castaway::testbed {
-
-/// Changes made by the difference layer.
-struct WorldDifference {
-  int moved = 0;    ///< Pieces of furniture.
-  int removed = 0;  ///< Pieces of furniture.
-  int opened = 0;   ///< Doors.
-  int closed = 0;   ///< Doors.
-  int added = 0;    ///< Objects.
-};
 
 /// A world with its survey, routes and start, in a common form for all sources.
 struct LoadedWorld {
@@ -30,7 +22,8 @@ struct LoadedWorld {
   sim::Grid grid;  ///< The world as it was when the map was made.
   RosMap map;      ///< The same as a map for the localizers.
   bool has_start = true;
-  std::optional<WorldDifference> difference;  ///< Nothing if the layer is empty.
+  /// What the difference layer changed, without `beams`; nothing if it is empty.
+  std::optional<MapDifference> difference;
   std::vector<std::string> warnings;
   std::shared_ptr<sim::Spaces> spaces;  ///< Where runs share the world; otherwise empty.
 };

@@ -4,7 +4,7 @@
 #include "sim/sensor/lidar_config.hpp"
 #include "sim/sensor/readings.hpp"
 #include "sim/world/world.hpp"
-#include "tools/build/foreign/protocol/lidar_facts.hpp"
+#include "tools/build/foreign/lidar_facts.hpp"
 #include "tools/outputs/records/hit_legend.hpp"
 #include "tools/run/frame.hpp"
 

@@ -82,7 +82,7 @@ Frame SimFrameConverter::frame(const sim::SimFrame& frame) const {
   if (const auto* odometry = std::get_if<sim::OdometryReading>(&frame.data)) {
     OdometryFrame reading{{odometry->stamp, to_se2(odometry->T_odom_base)},
                           to_se2(odometry->T_map_base_true)};
-    if (heights_) reading.T_footprint_base_true = odometry->T_footprint_base_true;
+    if (heights_) reading.true_pose->T_footprint_base = odometry->T_footprint_base_true;
     return {frame.stamp, std::move(reading)};
   }
   if (const auto* happening = std::get_if<sim::HappeningRecord>(&frame.data)) {
@@ -98,7 +98,7 @@ ScanFrame SimFrameConverter::scan(const sim::LidarReading& reading) const {
   const sim::LidarConfig& lidar = lidars_[reading.lidar];
   ScanFrame frame{laser_scan(reading, lidar), to_se2(reading.T_map_base_true), people_of(reading),
                   scan_truth(reading, lidar, clouds_)};
-  if (heights_) frame.T_footprint_base_true = reading.T_footprint_base_true;
+  if (heights_) frame.true_pose->T_footprint_base = reading.T_footprint_base_true;
   return frame;
 }
 

@@ -22,7 +22,7 @@
 #include "tools/commands/arguments/ros2_arguments.hpp"
 #include "tools/commands/arguments/scenario_arguments.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/live/bridge/bridge_process.hpp"
+#include "tools/live/lines/bridge_process.hpp"
 #include "tools/live/live_page.hpp"
 #include "tools/live/live_player.hpp"
 #include "tools/live/served_nodes.hpp"

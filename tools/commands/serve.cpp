@@ -8,7 +8,7 @@
 #include "tools/base/bytes/utf8.hpp"
 #include "tools/base/output/exit_code.hpp"
 #include "tools/build/build_localizers.hpp"
-#include "tools/build/foreign/protocol/message.hpp"
+#include "tools/build/foreign/message.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
 

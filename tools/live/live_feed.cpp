@@ -36,9 +36,11 @@ FeedJson pose_json(const SE2& pose) {
 FeedJson pose_json(const std::optional<SE2>& pose) { return pose ? pose_json(*pose) : FeedJson(); }
 
 FeedJson truth_json(const ScanRecord& record) {
-  FeedJson row = pose_json(record.T_map_base_true);
-  if (row.is_null() || !record.T_footprint_base_true) return row;
-  for (const double value : lift_of(*record.T_footprint_base_true)) row.push_back(rounded(value));
+  FeedJson row = pose_json(T_map_base_of(record.true_pose));
+  if (!record.has_heights()) return row;
+  for (const double value : lift_of(*record.true_pose->T_footprint_base)) {
+    row.push_back(rounded(value));
+  }
   return row;
 }
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "tools/live/bridge/bridge_link.hpp"
+#include "tools/live/lines/bridge_link.hpp"
 #include "tools/play/replay/replay_session.hpp"
 #include "tools/scenario/scenario_file.hpp"
 

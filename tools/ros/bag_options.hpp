@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tools/base/bytes/compression.hpp"
-#include "tools/ros/mcap/mcap_records.hpp"
+#include "tools/ros/storage/mcap_records.hpp"
 
 namespace castaway::testbed {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "tools/ros/mcap/mcap_writer.hpp"
 #include "tools/ros/ros_conversion.hpp"
 #include "tools/ros/rosbag2_metadata.hpp"
+#include "tools/ros/storage/mcap_writer.hpp"
 #include "tools/ros/topic_writer.hpp"
 
 namespace castaway::testbed {

@@ -1,6 +1,7 @@
 /// What a source delivers: sensor data as the hardware would send it, and events.
 #pragma once
 
+#include <optional>
 #include <variant>
 
 #include "castaway/frame.hpp"
@@ -8,6 +9,14 @@
 #include "tools/run/event.hpp"
 
 namespace castaway::testbed {
+
+/// The planar part of a true pose, and the rest of it; nothing where it is unknown.
+inline std::optional<SE2> T_map_base_of(const std::optional<TruePose>& pose) {
+  return pose ? std::optional(pose->T_map_base) : std::nullopt;
+}
+inline std::optional<Eigen::Isometry3d> T_footprint_base_of(const std::optional<TruePose>& pose) {
+  return pose ? pose->T_footprint_base : std::nullopt;
+}
 
 /// The stamp that a delivery's data states; of a scan, that of its first beam.
 inline Stamp& own_stamp(OdometryFrame& frame) { return frame.odometry.stamp; }

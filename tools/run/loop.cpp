@@ -273,8 +273,7 @@ ScanRecord Loop::record_of(const ScanFrame& frame, Stamp delivered) {
   ScanRecord record;
   record.stamp = frame.scan.stamp;
   record.delivered = delivered;
-  record.T_map_base_true = frame.T_map_base_true;
-  record.T_footprint_base_true = frame.T_footprint_base_true;
+  record.true_pose = frame.true_pose;
   if (!T_odom_base_.empty()) record.T_odom_base = *T_odom_base_.at(T_odom_base_.newest());
   record.scan = frame.scan;
   record.people = frame.people;

@@ -28,29 +28,28 @@ struct LocalizerRecord {
 
 /// The state of a run after a scan.
 struct ScanRecord {
-  Stamp stamp{};                       ///< The scan's stamp.
-  Stamp delivered{};                   ///< Time of the last beam, when the scan is delivered.
-  std::optional<SE2> T_map_base_true;  ///< At the scan's stamp.
-  PeopleTruth people;                  ///< At the scan's stamp.
-  SE2 T_odom_base;                     ///< Newest odometry at delivery.
+  Stamp stamp{};                      ///< The scan's stamp.
+  Stamp delivered{};                  ///< Time of the last beam, when the scan is delivered.
+  std::optional<TruePose> true_pose;  ///< At the scan's stamp.
+  PeopleTruth people;                 ///< At the scan's stamp.
+  SE2 T_odom_base;                    ///< Newest odometry at delivery.
   LaserScan scan;
   ScanTruth truth;                          ///< Ground truth of the scan.
   std::vector<LocalizerRecord> localizers;  ///< Same order in every record of a run.
-  /// Height, roll and pitch of base, in runs on several floors.
-  std::optional<Eigen::Isometry3d> T_footprint_base_true{};
 
+  /// True if the true pose is known, with its height.
+  [[nodiscard]] bool has_heights() const { return true_pose && true_pose->T_footprint_base; }
   /// [m] How far an estimate is above the robot; 0 on one floor. A planar estimate is at z = 0.
   [[nodiscard]] double height_error(const localization::Estimate& estimate) const {
-    if (!T_footprint_base_true) return 0.0;
-    const double z = estimate.footing ? estimate.footing->z : 0.0;
-    return z - T_footprint_base_true->translation().z();
+    if (!has_heights()) return 0.0;
+    return (estimate.footing ? estimate.footing->z : 0.0) - true_pose->z();
   }
 };
 
 /// [m] Error of an estimate against the true pose of its scan, which is known: planar on one floor,
 /// else with height.
 inline double position_error(const ScanRecord& record, const localization::Estimate& estimate) {
-  const double planar = localization::distance(*record.T_map_base_true, estimate.T_map_base);
+  const double planar = localization::distance(record.true_pose->T_map_base, estimate.T_map_base);
   const double above = record.height_error(estimate);
   return above == 0.0 ? planar : std::hypot(planar, above);
 }

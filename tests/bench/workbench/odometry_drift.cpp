@@ -49,8 +49,8 @@ std::vector<DriftSegment> drift_segments(const Frames& frames, double length_m) 
       steps.clear();
     }
     const auto* reading = std::get_if<OdometryFrame>(&frame.data);
-    if (reading == nullptr || !reading->T_map_base_true) continue;
-    Step step{reading->odometry.T_odom_base, *reading->T_map_base_true, 0.0};
+    if (reading == nullptr || !reading->true_pose) continue;
+    Step step{reading->odometry.T_odom_base, reading->true_pose->T_map_base, 0.0};
     if (!steps.empty()) {
       const SE2& before = steps.back().T_map_base;
       step.way =

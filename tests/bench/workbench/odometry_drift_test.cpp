@@ -14,7 +14,7 @@ Frames straight(int metres, double scale) {
   for (int i = 0; i <= 2 * metres; ++i) {
     OdometryFrame frame;
     frame.odometry.T_odom_base = {0.5 * i * scale, 0.0, 0.0};
-    frame.T_map_base_true = SE2{0.5 * i, 0.0, 0.0};
+    frame.true_pose = SE2{0.5 * i, 0.0, 0.0};
     frames.emplace_back();
     frames.back().stamp = Stamp(i);
     frames.back().data = frame;

@@ -71,6 +71,8 @@ SimulationConfig test_simulation() {
   config.odometry = ideal_odometry();
   config.drive.waypoints = {{2.5, -1.5}, {2.5, 2.0}, {-2.0, 2.0}, {-3.0, -2.0}};
   config.start = {-1.0, -2.0, 0.0};
+  config.right_position = 0.5;
+  config.right_yaw = 0.35;
   config.duration = std::chrono::seconds(10);
   return config;
 }

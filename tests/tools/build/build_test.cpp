@@ -13,7 +13,7 @@
 #include "tools/base/process/cpu_clock.hpp"
 #include "tools/build/build_localizers.hpp"
 #include "tools/build/build_simulation.hpp"
-#include "tools/build/foreign/protocol/message_text.hpp"
+#include "tools/build/foreign/message_text.hpp"
 #include "tools/build/map_conversion.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 

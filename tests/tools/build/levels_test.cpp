@@ -58,14 +58,14 @@ TEST_F(Levels, TheRobotDrivesUpAndStaysOnTheGround) {
       ADD_FAILURE() << names_of(event->what).kind << ' ' << names_of(event->what).detail;
     }
     if (const auto* odometry = std::get_if<OdometryFrame>(&frame->data)) {
-      ASSERT_TRUE(odometry->T_footprint_base_true);
+      ASSERT_TRUE(odometry->true_pose->T_footprint_base);
       highest_by_odometry =
-          std::max(highest_by_odometry, odometry->T_footprint_base_true->translation().z());
+          std::max(highest_by_odometry, odometry->true_pose->T_footprint_base->translation().z());
     }
     const auto* scan = std::get_if<ScanFrame>(&frame->data);
     if (scan == nullptr) continue;
-    ASSERT_TRUE(scan->T_footprint_base_true);
-    const Eigen::Isometry3d& T_footprint_base = *scan->T_footprint_base_true;
+    ASSERT_TRUE(scan->true_pose->T_footprint_base);
+    const Eigen::Isometry3d& T_footprint_base = *scan->true_pose->T_footprint_base;
     highest = std::max(highest, T_footprint_base.translation().z());
     steepest = std::max(steepest, std::acos(std::min(1.0, T_footprint_base.linear()(2, 2))));
     EXPECT_GT(T_footprint_base.translation().z(), -0.02);
@@ -90,7 +90,7 @@ TEST_F(Levels, KidnapsSayFromWhichHeightToWhich) {
     }
     const auto* scan = std::get_if<ScanFrame>(&frame->data);
     if (scan != nullptr && after.size() < kidnaps.size()) {
-      after.push_back(scan->T_footprint_base_true->translation().z());
+      after.push_back(scan->true_pose->T_footprint_base->translation().z());
     }
   }
   ASSERT_EQ(kidnaps.size(), 3U);
@@ -133,7 +133,7 @@ TEST_F(Levels, PeopleWalkOnTheLowestFloor) {
     if (scan == nullptr || seconds(frame->stamp) < 1.5) continue;
     ASSERT_EQ(scan->people.people.size(), 8U);
     for (const PersonTruth& person : scan->people.people) {
-      below = std::min(below, distance(person.T_map_person, *scan->T_map_base_true));
+      below = std::min(below, distance(person.T_map_person, scan->true_pose->T_map_base));
       least_gap = std::min(least_gap, person.gap_m);
     }
   }
@@ -149,9 +149,9 @@ TEST_F(Levels, TheSameSeedGivesTheSameRun) {
     while (const auto frame = source->next()) {
       const auto* scan = std::get_if<ScanFrame>(&frame->data);
       if (scan == nullptr) continue;
-      const Eigen::Matrix4d matrix = scan->T_footprint_base_true->matrix();
+      const Eigen::Matrix4d matrix = scan->true_pose->T_footprint_base->matrix();
       numbers.insert(numbers.end(), matrix.data(), matrix.data() + 16);
-      numbers.push_back(scan->T_map_base_true->x);
+      numbers.push_back(scan->true_pose->T_map_base.x);
     }
     return numbers;
   };

@@ -55,7 +55,8 @@ TEST(Stretch, EndsWithTheLog) {
 }
 
 TEST(Stretch, NeedsItsScan) {
-  const std::string error = error_of([] { stretch(straight_log(10), 10, std::chrono::seconds(1)); });
+  const std::string error =
+      error_of([] { stretch(straight_log(10), 10, std::chrono::seconds(1)); });
   EXPECT_TRUE(contains(error, "no scan 10: the log has 10"));
   EXPECT_THROW(stretch(Frames{}, 0, std::chrono::seconds(1)), std::out_of_range);
 }
@@ -72,8 +73,8 @@ TEST(Splice, TellsOfTheJumpBetweenItsTwoStretches) {
   EXPECT_DOUBLE_EQ(event.T_map_from->x, 20.8);
   EXPECT_DOUBLE_EQ(event.T_map_to->x, 23.0);
   ASSERT_NE(scan_in(part[at + 2]), nullptr);
-  EXPECT_DOUBLE_EQ(scan_in(part[at - 1])->T_map_base_true->x, 20.8);
-  EXPECT_DOUBLE_EQ(scan_in(part[at + 2])->T_map_base_true->x, 23.0);
+  EXPECT_DOUBLE_EQ(scan_in(part[at - 1])->true_pose->T_map_base.x, 20.8);
+  EXPECT_DOUBLE_EQ(scan_in(part[at + 2])->true_pose->T_map_base.x, 23.0);
 }
 
 TEST(Splice, OdometryRunsOnAcrossTheJump) {
@@ -141,7 +142,7 @@ TEST(RecordedSource, PlaysItsFramesOnce) {
 
 TEST(RecordedSource, StartsAtTheFirstTruth) {
   Frames frames = straight_log(2);
-  std::get<OdometryFrame>(frames[0].data).T_map_base_true.reset();
+  std::get<OdometryFrame>(frames[0].data).true_pose.reset();
   EXPECT_DOUBLE_EQ(RecordedSource(frames).start_pose()->x, 20.05);
   EXPECT_FALSE(RecordedSource(Frames{}).start_pose());
   EXPECT_EQ(RecordedSource(Frames{}).duration(), Stamp::zero());

@@ -72,7 +72,7 @@ TEST(SimFrameConverter, KeepsTheTruthBesideTheOdometry) {
   const auto& odometry = std::get<OdometryFrame>(frame.data);
   EXPECT_EQ(odometry.odometry.stamp, milliseconds(50));
   EXPECT_EQ(odometry.odometry.T_odom_base.x, 1.0);
-  EXPECT_EQ(odometry.T_map_base_true, (SE2{2.0, 0.0, 0.0}));
+  EXPECT_EQ(odometry.true_pose->T_map_base, (SE2{2.0, 0.0, 0.0}));
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ TEST(SimulatorSource, DeliversInOrderWithTheTruthBeside) {
     last = frame->stamp;
     if (const auto* scan = std::get_if<ScanFrame>(&frame->data)) {
       ++scans;
-      ASSERT_TRUE(scan->T_map_base_true);
+      ASSERT_TRUE(scan->true_pose);
       EXPECT_GE(frame->stamp, scan->scan.beam_stamp(scan->scan.ranges.size() - 1));
       EXPECT_EQ(scan->scan.ranges.size(), 360U);
     } else if (const auto* event = std::get_if<RunEvent>(&frame->data)) {
@@ -116,10 +116,10 @@ TEST(SimulatorSource, FollowsTheFileOfAPath) {
   while (const auto frame = source.next()) {
     if (const auto* scan = std::get_if<ScanFrame>(&frame->data)) {
       ++scans;
-      ASSERT_TRUE(scan->T_map_base_true);
+      ASSERT_TRUE(scan->true_pose);
       const SE2 expected = T_map_base_of(kLabPath, scan->scan.stamp);
-      EXPECT_LT(distance(*scan->T_map_base_true, expected), 1e-3);
-      EXPECT_LT(localization::yaw_distance(*scan->T_map_base_true, expected), 1e-3);
+      EXPECT_LT(distance(scan->true_pose->T_map_base, expected), 1e-3);
+      EXPECT_LT(localization::yaw_distance(scan->true_pose->T_map_base, expected), 1e-3);
     } else if (const auto* odometry = std::get_if<OdometryFrame>(&frame->data)) {
       last = odometry->odometry.stamp;
       T_odom_base = odometry->odometry.T_odom_base;

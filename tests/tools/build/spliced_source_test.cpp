@@ -52,8 +52,8 @@ TEST(SplicedSource, MovesImuReadingsInTimeAndKnowsHeights) {
   for (Frame& frame : log) {
     auto* odometry = std::get_if<OdometryFrame>(&frame.data);
     if (odometry == nullptr) continue;
-    odometry->T_footprint_base_true = Eigen::Isometry3d::Identity();
-    odometry->T_footprint_base_true->translation().z() = odometry->T_map_base_true->x;
+    odometry->true_pose->T_footprint_base = Eigen::Isometry3d::Identity();
+    odometry->true_pose->T_footprint_base->translation().z() = odometry->true_pose->T_map_base.x;
   }
   Frames with_imu;
   for (const Frame& frame : log) {
@@ -83,7 +83,7 @@ TEST(SplicedSource, JumpsSeveralTimes) {
   int kidnaps = 0;
   for (const Frame& frame : frames) {
     if (const auto* scan = std::get_if<ScanFrame>(&frame.data)) {
-      truths.push_back(scan->T_map_base_true->x);
+      truths.push_back(scan->true_pose->T_map_base.x);
     }
     kidnaps += std::holds_alternative<RunEvent>(frame.data) ? 1 : 0;
   }
@@ -131,7 +131,7 @@ TEST(SplicedSource, CarriesTheTruthOnByOdometry) {
   for (Frame& frame : frames) {  // As in CARMEN logs: only scans have a true pose.
     auto* odometry = std::get_if<OdometryFrame>(&frame.data);
     if (odometry != nullptr && frame.stamp % std::chrono::milliseconds(200) != Stamp{}) {
-      odometry->T_map_base_true.reset();
+      odometry->true_pose.reset();
     }
   }
   SplicedSource source(std::make_shared<const Frames>(frames), {0, {}, {{2, 4}}});

@@ -31,8 +31,8 @@ Played play(const Scenario& scenario, const std::filesystem::path& base) {
     if (const auto* event = std::get_if<RunEvent>(&frame->data)) played.events.push_back(*event);
     const auto* odometry = std::get_if<OdometryFrame>(&frame->data);
     if (odometry == nullptr) continue;
-    if (last) played.distance += distance(*last, *odometry->T_map_base_true);
-    last = odometry->T_map_base_true;
+    if (last) played.distance += distance(*last, odometry->true_pose->T_map_base);
+    last = odometry->true_pose->T_map_base;
     played.error = distance(start * odometry->odometry.T_odom_base, *last);
   }
   return played;

@@ -1,4 +1,4 @@
-#include "tools/live/bridge/bridge_link.hpp"
+#include "tools/live/lines/bridge_link.hpp"
 
 #include <sys/socket.h>
 #include <unistd.h>

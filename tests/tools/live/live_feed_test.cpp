@@ -144,7 +144,7 @@ TEST(LiveFeed, TellsOfFloorsAndHeights) {
   EXPECT_EQ(hello.at("levels").at("z_m").size(), 2U);
   EXPECT_EQ(hello.at("levels").at("cells").at(1), hello.at("cells"));
   ScanRecord record = record_at(1.0, kTwo);
-  record.T_footprint_base_true.emplace(Eigen::Translation3d(0.0, 0.0, 3.0));
+  record.true_pose->T_footprint_base.emplace(Eigen::Translation3d(0.0, 0.0, 3.0));
   record.localizers[0].estimate->footing = {.z = 3.25, .level = 1};
   feed.on_scan(record);
   const nlohmann::json scan = read_frame(feed.take_frame({})).head.at("scans").at(0);

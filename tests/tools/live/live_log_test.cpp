@@ -25,7 +25,7 @@ class NotesSink final : public RunSink {
   }
   void on_odometry(const OdometryFrame&) override {}
   void on_scan(const ScanRecord& record) override {
-    notes_ += fmt::format("{} {:.17g}", record.stamp.count(), record.T_map_base_true->x);
+    notes_ += fmt::format("{} {:.17g}", record.stamp.count(), record.true_pose->T_map_base.x);
     for (const LocalizerRecord& localizer : record.localizers) {
       if (localizer.estimate) notes_ += fmt::format(" {:.17g}", localizer.estimate->T_map_base.x);
     }

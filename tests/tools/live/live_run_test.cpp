@@ -34,7 +34,7 @@ class DeliveredSink final : public RunSink {
     delivered_.add(frame.odometry.T_odom_base);
   }
   void on_scan(const ScanRecord& record) override {
-    delivered_.add(record.T_map_base_true.value());
+    delivered_.add(record.true_pose.value().T_map_base);
     for (const float range : record.scan.ranges) delivered_.numbers.push_back(range);
     for (const LocalizerRecord& localizer : record.localizers) {
       if (localizer.estimate) delivered_.add(localizer.estimate->T_map_base);

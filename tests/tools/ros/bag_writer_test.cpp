@@ -4,7 +4,7 @@
 
 #include "tests/tools/support/temporary.hpp"
 #include "tools/ros/bag_channels.hpp"
-#include "tools/ros/mcap/mcap_reader.hpp"
+#include "tools/ros/storage/mcap_reader.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -68,7 +68,7 @@ Frame odometry(std::int64_t stamp, const SE2& pose) {
 Frame scan(std::int64_t stamp, const SE2& truth) {
   ScanFrame frame;
   frame.scan.stamp = Stamp(stamp);
-  frame.T_map_base_true = truth;
+  frame.true_pose = truth;
   return {Stamp(stamp), frame};
 }
 
@@ -155,7 +155,7 @@ TEST_F(LoopTest, RecordsEveryLocalizersAnswerBesideTheTruth) {
   Loop(config_, localizers_, sinks_).run(source_);
   ASSERT_EQ(sink_->records.size(), 1U);
   const ScanRecord& record = sink_->records[0];
-  EXPECT_EQ(record.T_map_base_true->x, 6.0);
+  EXPECT_EQ(record.true_pose->T_map_base.x, 6.0);
   EXPECT_EQ(record.T_odom_base.x, 2.0);
   ASSERT_EQ(record.localizers.size(), 1U);
   EXPECT_EQ(record.localizers[0].name, "dead_reckoning");

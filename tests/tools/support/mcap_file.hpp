@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/ros/mcap/mcap_reader.hpp"
-#include "tools/ros/mcap/mcap_writer.hpp"
+#include "tools/ros/storage/mcap_reader.hpp"
+#include "tools/ros/storage/mcap_writer.hpp"
 
 namespace castaway::testbed {
 

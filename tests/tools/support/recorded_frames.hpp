@@ -18,7 +18,7 @@ inline Frames straight_log(int scans) {
     add_odometry(stamp, 0.1 * k);
     ScanFrame scan;
     scan.scan.stamp = stamp;
-    scan.T_map_base_true = SE2{0.1 * k + 20.0, 0.0, 0.0};
+    scan.true_pose = SE2{0.1 * k + 20.0, 0.0, 0.0};
     frames.push_back({stamp, scan});
     add_odometry(stamp + std::chrono::milliseconds(100), 0.1 * k + 0.05);
   }

@@ -58,7 +58,7 @@ inline void write_office(const RecordedPlace& place, const std::filesystem::path
       continue;
     }
     const LaserScan& scan = std::get<ScanFrame>(frame.data).scan;
-    const std::optional<SE2>& truth = std::get<ScanFrame>(frame.data).T_map_base_true;
+    const std::optional<SE2> truth = T_map_base_of(std::get<ScanFrame>(frame.data).true_pose);
     const std::string pose =
         fmt::format(" {} {} {}", T_odom_base.x, T_odom_base.y, T_odom_base.yaw);
     log += fmt::format("ROBOTLASER1 0 {} {} {} 12 0.01 0 {}", scan.angle_min,

@@ -26,7 +26,7 @@ inline ScanRecord record_at(double t, const std::vector<std::string>& localizers
   ScanRecord record;
   record.stamp = localization::from_seconds(t);
   record.delivered = localization::from_seconds(t + 0.1);
-  record.T_map_base_true = SE2{0.1 * t, 0.0, 0.0};
+  record.true_pose = SE2{0.1 * t, 0.0, 0.0};
   record.T_odom_base = {0.1 * t, 0.0, 0.0};
   for (const std::string& name : localizers) {
     LocalizerRecord& localizer = record.localizers.emplace_back();

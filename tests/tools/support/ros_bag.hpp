@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tools/ros/cdr.hpp"
-#include "tools/ros/mcap/mcap_writer.hpp"
 #include "tools/ros/ros_visualization.hpp"
+#include "tools/ros/storage/mcap_writer.hpp"
 
 namespace castaway::testbed {
 

@@ -24,13 +24,13 @@ inline void play_two_scans(RunSink& sink,
                            const std::optional<Eigen::Isometry3d>& T_footprint_base = {}) {
   OdometryFrame odometry;
   odometry.odometry = {localization::from_seconds(1.0), {0.5, 0.0, 0.25}};
-  odometry.T_map_base_true = SE2{0.125, 0.0, 0.0};
-  odometry.T_footprint_base_true = T_footprint_base;
+  odometry.true_pose = SE2{0.125, 0.0, 0.0};
+  odometry.true_pose->T_footprint_base = T_footprint_base;
   sink.on_odometry(odometry);
   for (const double t : {1.0, 2.0}) {
     if (t > 1.0) sink.on_event(kidnap_to(1.5));
     ScanRecord record = record_at(t, {"mh_amcl"});
-    record.T_footprint_base_true = T_footprint_base;
+    record.true_pose->T_footprint_base = T_footprint_base;
     record.scan.lidar = "front";
     record.scan.angle_min = -0.5;
     record.scan.angle_increment = 0.25;

@@ -46,7 +46,7 @@ TEST(LogFit, LeavesALidarThatLooksAheadWhereItIs) {
   for (const Frame& frame : place.frames) {
     const auto* scan = std::get_if<ScanFrame>(&frame.data);
     if (scan == nullptr) continue;
-    ahead += (scan->T_map_base_true->inverse() * fitted.log.scans.at(k++).T_map_base).x;
+    ahead += (scan->true_pose->T_map_base.inverse() * fitted.log.scans.at(k++).T_map_base).x;
   }
   ASSERT_EQ(k, 200U);
   EXPECT_NEAR(ahead / 200.0, 0.0, 0.02);

@@ -37,8 +37,8 @@ std::size_t bin_of(double value, double width, int bins) {
 }  // namespace
 
 void OdometryDrift::add(const OdometryFrame& frame) {
-  if (!frame.T_map_base_true) return;
-  const Mark here{frame.odometry.T_odom_base, *frame.T_map_base_true};
+  if (!frame.true_pose) return;
+  const Mark here{frame.odometry.T_odom_base, frame.true_pose->T_map_base};
   if (marks_.empty()) {
     marks_.push_back(here);
     last_ = here.T_map_base;
@@ -89,9 +89,9 @@ void SequenceStatistics::add(const RunEvent& event) {
 }
 
 void SequenceStatistics::add(const OdometryFrame& frame) {
-  if (held_ || !frame.T_map_base_true) return;
+  if (held_ || !frame.true_pose) return;
   drift_.add(frame);
-  const SE2& here = *frame.T_map_base_true;
+  const SE2& here = frame.true_pose->T_map_base;
   if (last_) driven_ += (here.translation() - last_->translation()).norm();
   last_ = here;
 }

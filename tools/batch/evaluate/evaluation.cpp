@@ -228,7 +228,7 @@ void validate(const EvaluationConfig& config) {
 void require_truth(const std::string& log, const Frames& frames) {
   const bool known = std::any_of(frames.begin(), frames.end(), [](const Frame& frame) {
     const auto* scan = std::get_if<ScanFrame>(&frame.data);
-    return scan != nullptr && scan->T_map_base_true;
+    return scan != nullptr && scan->true_pose;
   });
   if (known) return;
   throw std::invalid_argument(

@@ -46,7 +46,7 @@ class TrialSink final : public RunSink {
     const auto points = localization::project_scan(record.scan, played_.T_odom_base, record.stamp,
                                                    localization::MhAmclConfig{}.input.beams);
     if (!points) return;
-    const SE2 T_map_base_true = record.T_map_base_true.value();
+    const SE2 T_map_base_true = record.true_pose.value().T_map_base;
     played_.places->take(record.stamp, *points, T_map_base_true);
     if (played_.points) return;
     played_.points = points;

@@ -6,7 +6,7 @@
 
 #include "sim/map/free_space.hpp"
 #include "tools/build/build_simulation.hpp"
-#include "tools/build/foreign/protocol/lidar_facts.hpp"
+#include "tools/build/foreign/lidar_facts.hpp"
 
 namespace castaway::testbed {
 

@@ -174,7 +174,7 @@ void BagCollector::take_transforms(const McapMessage& message) {
 void BagCollector::take_truth(const McapMessage& message, const std::string& type) {
   const auto add = [&](const ros::Header& header, const ros::Pose& pose) {
     const Stamp stamp = stamp_of(header, message.log_time_ns);
-    const TruePose truth = ground_.in_space ? true_pose_of(pose) : TruePose{from_ros_pose(pose)};
+    const TruePose truth = ground_.in_space ? true_pose_of(pose) : TruePose(from_ros_pose(pose));
     if (message.channel->topic == topics_.scan_truth) {
       truth_.add_of_scan(stamp, truth);
     } else {
@@ -254,18 +254,12 @@ void BagCollector::require_scans_and_odometry() const {
 }
 
 void BagCollector::add_truth() {
-  const bool heights = truth_.has_heights();
+  truth_.drop_level_ground();
   for (Frame& frame : recording_.frames) {
     if (auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
-      const auto truth = truth_.at(odometry->odometry.stamp);
-      if (!truth) continue;
-      odometry->T_map_base_true = truth->T_map_base;
-      if (heights) odometry->T_footprint_base_true = truth->T_footprint_base;
+      odometry->true_pose = truth_.at(odometry->odometry.stamp);
     } else if (auto* scan = std::get_if<ScanFrame>(&frame.data)) {
-      const auto truth = truth_.of_scan(scan->scan.stamp);
-      if (!truth) continue;
-      scan->T_map_base_true = truth->T_map_base;
-      if (heights) scan->T_footprint_base_true = truth->T_footprint_base;
+      scan->true_pose = truth_.of_scan(scan->scan.stamp);
     }
   }
 }

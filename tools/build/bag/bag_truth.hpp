@@ -9,14 +9,7 @@
 
 namespace castaway::testbed {
 
-/// A true pose of base in map: in the plane, and the rest of it.
-struct TruePose {
-  SE2 T_map_base;
-  /// Height, roll and pitch.
-  Eigen::Isometry3d T_footprint_base = Eigen::Isometry3d::Identity();
-};
-
-/// Throws as `from_ros_pose` and `from_ros_transform`.
+/// With height, roll and pitch. Throws as `from_ros_pose` and `from_ros_transform`.
 TruePose true_pose_of(const ros::Pose& pose);
 
 /// Poses of one topic, interpolated over at most half a second and never across a kidnap. Another
@@ -28,14 +21,16 @@ class BagTruth {
   /// Lowers all poses with a height by this much [m]; planar truth stays at 0.
   void lower(double height);
 
-  /// False if all poses are at z = 0: those of a planar truth.
-  [[nodiscard]] bool has_heights() const;
+  /// Takes heights, rolls and pitches away if all poses are at z = 0: those of a planar truth.
+  void drop_level_ground();
   /// The true pose at a time; nothing if unknown.
   [[nodiscard]] std::optional<TruePose> at(Stamp stamp) const;
   /// The true pose of the scan with this stamp; nothing if unknown.
   [[nodiscard]] std::optional<TruePose> of_scan(Stamp stamp) const;
 
  private:
+  [[nodiscard]] bool has_heights() const;
+
   std::map<Stamp, TruePose> poses_;
   std::map<Stamp, TruePose> of_scans_;
 };

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "castaway/localizer.h"
-#include "tools/build/foreign/protocol/answer.hpp"
-#include "tools/build/foreign/protocol/message_text.hpp"
+#include "tools/build/foreign/answer.hpp"
+#include "tools/build/foreign/message_text.hpp"
 #include "tools/run/foreign_config.hpp"
 
 namespace castaway::testbed {

@@ -8,8 +8,8 @@
 #include "tools/base/process/child_process.hpp"
 #include "tools/base/process/line_channel.hpp"
 #include "tools/base/process/process_use.hpp"
-#include "tools/build/foreign/protocol/answer.hpp"
-#include "tools/build/foreign/protocol/message_text.hpp"
+#include "tools/build/foreign/answer.hpp"
+#include "tools/build/foreign/message_text.hpp"
 #include "tools/run/foreign_config.hpp"
 #include "tools/run/outside_use.hpp"
 

@@ -1,7 +1,7 @@
 #include "tools/build/map3d/survey_world.hpp"
 
 #include "localization/space/map3d/voxel_builder.hpp"
-#include "sim/terrain/surface_samples.hpp"
+#include "sim/map/surface_samples.hpp"
 
 namespace castaway::testbed {
 namespace {

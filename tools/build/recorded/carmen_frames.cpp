@@ -97,9 +97,9 @@ void CarmenFrames::add_truth(const CarmenTruth& truth) {
   for (; frames_of_last_scan_ > 0; --frames_of_last_scan_) {
     Frame& frame = frames_[frames_.size() - frames_of_last_scan_];
     if (auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
-      odometry->T_map_base_true = truth.T_map_base;
+      odometry->true_pose = truth.T_map_base;
     } else {
-      std::get<ScanFrame>(frame.data).T_map_base_true = truth.T_map_base;
+      std::get<ScanFrame>(frame.data).true_pose = truth.T_map_base;
     }
   }
 }

@@ -42,7 +42,7 @@ std::optional<Frame> CarmenSource::next() {
 }
 
 std::optional<SE2> CarmenSource::start_pose() const {
-  return std::get<OdometryFrame>(frames_.front().data).T_map_base_true;
+  return T_map_base_of(std::get<OdometryFrame>(frames_.front().data).true_pose);
 }
 
 Stamp CarmenSource::duration() const { return frames_.back().stamp - frames_.front().stamp; }

@@ -37,8 +37,8 @@ Frames stretch(const Frames& frames, std::size_t first, Stamp window) {
 }
 
 std::optional<double> height_of(const OdometryFrame& frame) {
-  if (!frame.T_footprint_base_true) return std::nullopt;
-  return frame.T_footprint_base_true->translation().z();
+  if (!T_footprint_base_of(frame.true_pose)) return std::nullopt;
+  return frame.true_pose->z();
 }
 
 std::optional<Frame> RecordedSource::next() {
@@ -49,14 +49,14 @@ std::optional<Frame> RecordedSource::next() {
 const OdometryFrame* RecordedSource::first_truth() const {
   for (const Frame& frame : frames_) {
     const auto* odometry = std::get_if<OdometryFrame>(&frame.data);
-    if (odometry != nullptr && odometry->T_map_base_true) return odometry;
+    if (odometry != nullptr && odometry->true_pose) return odometry;
   }
   return nullptr;
 }
 
 std::optional<SE2> RecordedSource::start_pose() const {
   const OdometryFrame* first = first_truth();
-  return first != nullptr ? first->T_map_base_true : std::nullopt;
+  return first != nullptr ? T_map_base_of(first->true_pose) : std::nullopt;
 }
 
 std::optional<double> RecordedSource::start_height() const {

@@ -23,7 +23,7 @@ std::optional<OdometryFrame> first_truth(const Frames& frames, std::size_t begin
   for (std::size_t i = begin; i < frames.size(); ++i) {
     if (frames[i].stamp - frames[begin].stamp > std::chrono::seconds(1)) break;
     const auto* odometry = std::get_if<OdometryFrame>(&frames[i].data);
-    if (odometry != nullptr && odometry->T_map_base_true) return *odometry;
+    if (odometry != nullptr && odometry->true_pose) return *odometry;
   }
   return std::nullopt;
 }
@@ -45,7 +45,7 @@ SplicedSource::SplicedSource(std::shared_ptr<const Frames> frames, SplicedPart p
   next_ = part_.from_scan == 0 ? 0 : odometry_of(part_.from_scan);
   last_scan_ = part_.from_scan;
   if (const auto start = first_truth(*frames_, next_)) {
-    start_ = start->T_map_base_true;
+    start_ = start->true_pose->T_map_base;
     start_height_ = height_of(*start);
   }
 }
@@ -104,7 +104,8 @@ Frame SplicedSource::make_jump(std::size_t to_scan) {
   const std::optional<double> z_from = height_of(last_odometry_);
   const std::optional<double> z_to = height_of(after);
   if (z_from && z_to) splice.heights = {{*z_from, *z_to}};
-  return {at, RunEvent{at, splice, last_odometry_.T_map_base_true, after.T_map_base_true}};
+  return {at, RunEvent{at, splice, T_map_base_of(last_odometry_.true_pose),
+                       T_map_base_of(after.true_pose)}};
 }
 
 std::optional<Frame> SplicedSource::next() {
@@ -122,7 +123,7 @@ std::optional<Frame> SplicedSource::next() {
   }
   if (const auto* odometry = std::get_if<OdometryFrame>(&frame.data)) {
     last_odometry_ = *odometry;
-    if (odometry->T_map_base_true) last_known_ = *odometry;
+    if (odometry->true_pose) last_known_ = *odometry;
   }
   now_ = frame.stamp;
   ++next_;
@@ -140,7 +141,7 @@ std::optional<SE2> SplicedSource::true_pose() const {
   if (!last_known_) return std::nullopt;
   const SE2 T_known_now =
       last_known_->odometry.T_odom_base.inverse() * last_odometry_.odometry.T_odom_base;
-  return *last_known_->T_map_base_true * T_known_now;
+  return last_known_->true_pose->T_map_base * T_known_now;
 }
 
 Stamp SplicedSource::duration() const { return frames_->back().stamp - frames_->front().stamp; }

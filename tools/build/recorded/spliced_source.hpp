@@ -46,7 +46,7 @@ class SplicedSource final : public SensorSource {
   [[nodiscard]] std::optional<SE2> true_pose() const;
   /// Height, roll and pitch of base in that pose, not carried on; nothing if they are unknown.
   [[nodiscard]] std::optional<Eigen::Isometry3d> T_footprint_base() const {
-    return last_known_ ? last_known_->T_footprint_base_true : std::nullopt;
+    return last_known_ ? last_known_->true_pose->T_footprint_base : std::nullopt;
   }
   /// Those that took place, and the one that is to come.
   [[nodiscard]] const std::vector<LogJump>& jumps() const { return part_.jumps; }

@@ -7,8 +7,8 @@ namespace {
 
 template <typename DataFrame>
 void move_truth_of(DataFrame* frame, const SE2& T_map_truth) {
-  if (!frame || !frame->T_map_base_true) return;
-  frame->T_map_base_true = T_map_truth * *frame->T_map_base_true;
+  if (!frame || !frame->true_pose) return;
+  frame->true_pose->T_map_base = T_map_truth * frame->true_pose->T_map_base;
 }
 
 }  // namespace

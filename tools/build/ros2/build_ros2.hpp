@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "tools/build/foreign/protocol/message_text.hpp"
+#include "tools/build/foreign/message_text.hpp"
 #include "tools/build/ros2/bridge_config.hpp"
 #include "tools/run/loop.hpp"
 #include "tools/run/ros2_config.hpp"

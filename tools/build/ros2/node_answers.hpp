@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "localization/geometry/transform_buffer.hpp"
-#include "tools/build/foreign/protocol/answer.hpp"
+#include "tools/build/foreign/answer.hpp"
 #include "tools/build/ros2/answer_count.hpp"
 #include "tools/build/ros2/ros_topic.hpp"
 #include "tools/ros/ros_sensor.hpp"

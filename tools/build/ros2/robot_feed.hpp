@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "castaway/localizer.hpp"
-#include "tools/build/foreign/protocol/message_text.hpp"
+#include "tools/build/foreign/message_text.hpp"
 #include "tools/build/ros2/ros_topic.hpp"
 #include "tools/ros/bag_frames.hpp"
 #include "tools/ros/ros_conversion.hpp"

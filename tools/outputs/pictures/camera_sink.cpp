@@ -120,12 +120,12 @@ CameraSink::CameraSink(const std::filesystem::path& run_folder, const CameraConf
 }
 
 void CameraSink::on_odometry(const OdometryFrame& frame) {
-  if (!frame.T_map_base_true) return;
+  if (!frame.true_pose) return;
   const Stamp stamp = frame.odometry.stamp;
   if (next_ && stamp < *next_) return;
   const auto period = std::chrono::nanoseconds(std::llround(1e9 / config_.rate_hz));
   next_ = next_.value_or(stamp) + period;
-  take(stamp, *frame.T_map_base_true);
+  take(stamp, frame.true_pose->T_map_base);
 }
 
 void CameraSink::take(Stamp stamp, const SE2& T_map_base) {

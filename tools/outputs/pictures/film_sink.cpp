@@ -79,14 +79,14 @@ FilmSink::FilmSink(const FilmConfig& config, PictureWorld world)
 
 void FilmSink::on_odometry(const OdometryFrame& frame) {
   const Stamp stamp = frame.odometry.stamp;
-  if (!frame.T_map_base_true || !newest_ || stamp < next_.value_or(stamp)) return;
+  if (!frame.true_pose || !newest_ || stamp < next_.value_or(stamp)) return;
   next_ = next_.value_or(stamp) + localization::from_seconds(config_.speed / config_.format.fps);
-  take(*frame.T_map_base_true);
+  take(frame.true_pose->T_map_base);
 }
 
 void FilmSink::take(const SE2& T_map_base) {
   ScanRecord now = *newest_;
-  now.T_map_base_true = T_map_base;
+  now.true_pose->T_map_base = T_map_base;
   any_ = true;
   if (config_.view == FilmView::kMap) {
     film_.add(map_picture(renderer_, world_, *map_item_, now));

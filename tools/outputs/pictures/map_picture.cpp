@@ -11,7 +11,7 @@ namespace castaway::testbed {
 MapCaption caption_of(const ScanRecord& record) {
   MapCaption caption;
   caption.clock = fmt::format("{:.1f} s", seconds(record.stamp));
-  if (record.T_map_base_true) caption.entries.push_back({"truth", 0x000000, true});
+  if (record.true_pose) caption.entries.push_back({"truth", 0x000000, true});
   const std::vector<std::size_t> styles = localizer_styles(record);
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     caption.entries.push_back(

@@ -50,9 +50,9 @@ void add_ghosts(const PictureWorld& world, const ScanRecord& record, double heig
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;
     if (!estimate) continue;
-    const bool near = distance(estimate->T_map_base, *record.T_map_base_true) < kNear;
+    const bool near = distance(estimate->T_map_base, record.true_pose->T_map_base) < kNear;
     double ground = near ? height : 0.0;
-    if (record.T_footprint_base_true) ground = estimate->footing ? estimate->footing->z : 0.0;
+    if (record.has_heights()) ground = estimate->footing ? estimate->footing->z : 0.0;
     add_pose(estimate->T_map_base, 1.2 * world.robot_radius,
              scene_color(palette_color(kLocalizerColors, styles[i])),
              kFloor + ground + 0.004 * static_cast<double>(i), scene);
@@ -92,8 +92,8 @@ std::vector<sim::SceneItem> below_the_next_floor(const PictureWorld& world, doub
 
 /// The objects to show in an overview: those without roofs, or up to the robot's floor.
 std::vector<sim::SceneItem> seen_from_above(const PictureWorld& world, const ScanRecord& record) {
-  if (record.T_footprint_base_true && world.lowest_ground) {
-    return below_the_next_floor(world, record.T_footprint_base_true->translation().z());
+  if (record.has_heights() && world.lowest_ground) {
+    return below_the_next_floor(world, record.true_pose->z());
   }
   return world.from_above.empty() ? world.world : world.from_above;
 }
@@ -112,14 +112,14 @@ sim::Scene base_scene(const PictureWorld& world, std::vector<sim::SceneItem> ite
                       const ScanRecord& record, const std::optional<SE2>& T_map_now) {
   sim::Scene scene;
   scene.items = std::move(items);
-  if (!record.T_map_base_true) return scene;
+  if (!record.true_pose) return scene;
   const Eigen::Isometry3d T_map_base =
-      pose_in_space(world, T_map_now.value_or(*record.T_map_base_true));
+      pose_in_space(world, T_map_now.value_or(record.true_pose->T_map_base));
   for (sim::SceneItem item : world.robot) {
     item.T_map_mesh = T_map_base.cast<float>() * item.T_map_mesh;
     scene.items.push_back(std::move(item));
   }
-  const Eigen::Isometry3d T_map_base_at_scan = pose_in_space(world, *record.T_map_base_true);
+  const Eigen::Isometry3d T_map_base_at_scan = pose_in_space(world, record.true_pose->T_map_base);
   scene.points.push_back({lidar_hits(record.scan, T_map_base_at_scan), kHitColor, 4.0F});
   add_ghosts(world, record, T_map_base.translation().z(), scene);
   return scene;
@@ -179,7 +179,7 @@ std::vector<Vector3f> lidar_hits(const LaserScan& scan, const Eigen::Isometry3d&
 sim::Scene chase_scene(const PictureWorld& world, const ScanRecord& record,
                        const std::optional<SE2>& T_map_now) {
   std::vector<sim::SceneItem> items = surroundings(world, world.world);
-  const SE2 T_map_base = T_map_now.value_or(record.T_map_base_true.value_or(SE2{}));
+  const SE2 T_map_base = T_map_now.value_or(T_map_base_of(record.true_pose).value_or(SE2{}));
   const double height = pose_in_space(world, T_map_base).translation().z();
   const ChaseView view = clear_view(items, T_map_base, static_cast<float>(height));
   sim::Scene scene = base_scene(world, std::move(items), record, T_map_now);
@@ -225,7 +225,7 @@ sim::Scene map_scene(const PictureWorld& world, const sim::SceneItem& map_item,
     }
   }
   for (const PersonTruth& person : record.people.people) add_person(person, scene);
-  if (record.T_map_base_true) add_truth(*record.T_map_base_true, radius, scene);
+  if (record.true_pose) add_truth(record.true_pose->T_map_base, radius, scene);
   for (std::size_t i = 0; i < record.localizers.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;
     const Vector3f color = scene_color(palette_color(kLocalizerColors, styles[i]));

@@ -71,7 +71,8 @@ std::string PictureSink::occasion(const ScanRecord& record) {
 
 bool PictureSink::has_recovered(const ScanRecord& record) {
   if (!awaiting_recovery_ || kidnap_to_show_ || record.localizers.empty()) return false;
-  MetricRow row{record.stamp, record.T_odom_base, record.T_map_base_true, std::nullopt, false};
+  MetricRow row{record.stamp, record.T_odom_base, T_map_base_of(record.true_pose), std::nullopt,
+                false};
   const auto& estimate = record.localizers.front().estimate;
   if (estimate) row.T_map_base_estimate = estimate->T_map_base;
   if (!is_right(row, {})) {
@@ -86,7 +87,7 @@ bool PictureSink::has_recovered(const ScanRecord& record) {
 
 void PictureSink::take(const ScanRecord& record, const std::string& occasion) {
   const std::string name = fmt::format("t{:08.3f}-{}", seconds(record.stamp), occasion);
-  if (!world_.world.empty() && record.T_map_base_true) {
+  if (!world_.world.empty() && record.true_pose) {
     save(renderer_->render(chase_scene(world_, record)), name + "-chase.png");
     save(renderer_->render(overview_scene(world_, record)), name + "-overview.png");
   }

@@ -23,7 +23,7 @@ void RunHistory::add(const ScanRecord& record) {
     MetricRow row;
     row.stamp = record.stamp;
     row.T_odom_base = record.T_odom_base;
-    row.T_map_base_true = record.T_map_base_true;
+    row.T_map_base_true = T_map_base_of(record.true_pose);
     path.push_back(row);
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -31,7 +31,7 @@ void RunHistory::add(const ScanRecord& record) {
     MetricRow row;
     row.stamp = record.stamp;
     row.T_odom_base = record.T_odom_base;
-    row.T_map_base_true = record.T_map_base_true;
+    row.T_map_base_true = T_map_base_of(record.true_pose);
     row.delivered = record.delivered;
     if (estimate) {
       row.T_map_base_estimate = estimate->T_map_base;

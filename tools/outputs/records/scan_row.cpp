@@ -41,7 +41,7 @@ bool is_off(const LocalizerRecord& localizer, const ScanRecord& record) {
   const RecoveryConfig right;
   const SE2& estimate = localizer.estimate->T_map_base;
   return position_error(record, *localizer.estimate) >= right.position_m ||
-         localization::yaw_distance(*record.T_map_base_true, estimate) >= right.yaw_rad;
+         localization::yaw_distance(record.true_pose->T_map_base, estimate) >= right.yaw_rad;
 }
 
 void ScanLabeller::add(const RunEvent& event) {
@@ -68,12 +68,12 @@ void ScanLabeller::add_kidnaps(const ScanRecord& record, ScanRow& row) const {
 ScanRow ScanLabeller::row_of(const ScanRecord& record) const {
   ScanRow row;
   row.stamp_s = seconds(record.stamp);
-  row.T_map_base = record.T_map_base_true;
+  row.T_map_base = T_map_base_of(record.true_pose);
   row.T_odom_base = record.T_odom_base;
   add_kidnaps(record, row);
   label_beams(context_->legend, record.truth.labels, row);
-  if (!record.T_map_base_true) return row;
-  row.ambiguity = context_->ambiguity.at(record.T_map_base_true->translation());
+  if (!record.true_pose) return row;
+  row.ambiguity = context_->ambiguity.at(record.true_pose->T_map_base.translation());
   for (const LocalizerRecord& localizer : record.localizers) {
     row.lost.push_back(is_off(localizer, record) ? 1 : 0);
   }

@@ -59,8 +59,8 @@ void CarmenSink::on_scan(const ScanRecord& record) {
   scan.speed = speed_;
   scan.turn_rate = turn_rate_;
   std::string lines = carmen_scan_line(record.stamp, scan);
-  if (record.T_map_base_true) {
-    lines += carmen_truth_line(record.stamp, *record.T_map_base_true, scan.T_odom_base);
+  if (record.true_pose) {
+    lines += carmen_truth_line(record.stamp, record.true_pose->T_map_base, scan.T_odom_base);
   }
   waiting_.emplace(record.stamp, std::move(lines));
 }

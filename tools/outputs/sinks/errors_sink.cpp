@@ -11,9 +11,9 @@ using localization::PopulationView;
 
 void write_errors(CsvWriter& csv, const ScanRecord& record,
                   const std::optional<Estimate>& estimate) {
-  if (record.T_map_base_true && estimate) {
+  if (record.true_pose && estimate) {
     csv.number(position_error(record, *estimate));
-    csv.number(localization::yaw_distance(*record.T_map_base_true, estimate->T_map_base));
+    csv.number(localization::yaw_distance(record.true_pose->T_map_base, estimate->T_map_base));
   } else {
     csv.empty().empty();
   }
@@ -51,8 +51,7 @@ void write_populations(CsvWriter& csv, const std::vector<PopulationView>& popula
 
 void write_heights(CsvWriter& csv, const ScanRecord& record,
                    const std::optional<Estimate>& estimate) {
-  const auto& T_footprint_base = record.T_footprint_base_true;
-  csv.number(T_footprint_base ? std::optional(T_footprint_base->translation().z()) : std::nullopt);
+  csv.number(record.has_heights() ? std::optional(record.true_pose->z()) : std::nullopt);
   const bool stated = estimate && estimate->footing;
   csv.number(stated ? std::optional(estimate->footing->z) : std::nullopt);
   csv.number(stated ? std::optional<double>(estimate->footing->level) : std::nullopt);
@@ -76,7 +75,7 @@ ErrorsSink::ErrorsSink(const std::filesystem::path& run_folder, const RunInfo& i
 void ErrorsSink::on_scan(const ScanRecord& record) {
   for (const LocalizerRecord& localizer : record.localizers) {
     csv_.number(seconds(record.stamp)).text(localizer.name);
-    csv_.pose(record.T_map_base_true);
+    csv_.pose(T_map_base_of(record.true_pose));
     csv_.pose(localizer.estimate ? std::optional<SE2>(localizer.estimate->T_map_base)
                                  : std::nullopt);
     write_errors(csv_, record, localizer.estimate);

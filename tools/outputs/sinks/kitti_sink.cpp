@@ -27,10 +27,10 @@ std::string kitti_line(const Eigen::Isometry3d& T_map_base) {
 }
 
 void KittiSink::on_scan(const ScanRecord& record) {
-  if (!record.T_map_base_true || record.stamp <= newest_) return;
+  if (!record.true_pose || record.stamp <= newest_) return;
   newest_ = record.stamp;
-  const SE2& T_map_base = *record.T_map_base_true;
-  const auto& T_footprint_base = record.T_footprint_base_true;
+  const SE2& T_map_base = record.true_pose->T_map_base;
+  const auto& T_footprint_base = record.true_pose->T_footprint_base;
   poses_.write(T_footprint_base ? kitti_line(localization::to_se3(T_map_base) * *T_footprint_base)
                                 : kitti_line(T_map_base));
   times_.write(fmt::format("{:.9f}\n", seconds(record.stamp)));

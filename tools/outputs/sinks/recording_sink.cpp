@@ -123,7 +123,7 @@ void RecordingSink::add_localizer(std::size_t index, const LocalizerRecord& loca
 /// The truth of a log may be planar: it has no columns then. Scans before the first height, and
 /// answers without one, are at 0.
 void RecordingSink::add_true_height(const ScanRecord& record) {
-  const auto& lift = record.T_footprint_base_true;
+  const auto lift = T_footprint_base_of(record.true_pose);
   if (!lift && !columns_.contains("truth/z")) return;
   const Eigen::Vector3d values = lift ? lift_of(*lift) : Eigen::Vector3d::Zero();
   const std::array<const char*, 3> names{"truth/z", "truth/roll", "truth/pitch"};
@@ -164,9 +164,9 @@ void RecordingSink::on_scan(const ScanRecord& record) {
   assert(record.localizers.size() == header_["localizers"].size());
   if (!is_due(record, config_.scan_every_s, next_scan_)) return;
   columns_["time"].add(quantize(seconds(record.stamp), kRecordingTime));
-  columns_["flags"].add((record.T_map_base_true ? 1 : 0) + (is_torn(record) ? 2 : 0));
-  if (record.T_map_base_true) {
-    add_pose("truth", *record.T_map_base_true);
+  columns_["flags"].add((record.true_pose ? 1 : 0) + (is_torn(record) ? 2 : 0));
+  if (record.true_pose) {
+    add_pose("truth", record.true_pose->T_map_base);
   } else {
     repeat_pose("truth");
   }

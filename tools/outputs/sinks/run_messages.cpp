@@ -23,11 +23,9 @@ std::string prefix_of(const LaserScan& scan, const MessagesConfig& config) {
   return config.lidars.size() > 1 ? "/" + topic_part(scan.lidar) : "";
 }
 
-/// With height, roll and pitch if they are known.
-ros::Pose true_pose(const SE2& T_map_base,
-                    const std::optional<Eigen::Isometry3d>& T_footprint_base) {
-  if (!T_footprint_base) return to_ros_pose(T_map_base);
-  return to_ros_pose(localization::to_se3(T_map_base) * *T_footprint_base);
+ros::Pose true_ros_pose(const TruePose& pose) {
+  if (!pose.T_footprint_base) return to_ros_pose(pose.T_map_base);
+  return to_ros_pose(localization::to_se3(pose.T_map_base) * *pose.T_footprint_base);
 }
 
 /// [m] A localizer on a 3-D map states its height; all others are at z = 0.
@@ -72,12 +70,13 @@ void RunMessages::on_odometry(const OdometryFrame& frame) {
   writer_.publish(channels_.odom, stamp, odometry);
   writer_.publish(channels_.tf, stamp,
                   transform_message(odometry.header, kBaseFrame, odometry.pose.pose));
-  if (frame.T_map_base_true) {
+  if (frame.true_pose) {
     ros::Odometry truth =
-        odometry_message(ros_header(stamp, "map"), kBaseFrame, *frame.T_map_base_true);
-    truth.pose.pose = true_pose(*frame.T_map_base_true, frame.T_footprint_base_true);
-    if (last_ && last_->T_map_base_true) {
-      truth.twist.twist = twist_between(*last_->T_map_base_true, *frame.T_map_base_true, dt_s);
+        odometry_message(ros_header(stamp, "map"), kBaseFrame, frame.true_pose->T_map_base);
+    truth.pose.pose = true_ros_pose(*frame.true_pose);
+    if (last_ && last_->true_pose) {
+      truth.twist.twist =
+          twist_between(last_->true_pose->T_map_base, frame.true_pose->T_map_base, dt_s);
     }
     writer_.publish(channels_.true_odom, stamp, truth);
   }
@@ -127,11 +126,10 @@ void RunMessages::write_scan(const ScanRecord& record) {
 }
 
 void RunMessages::write_truth(const ScanRecord& record) {
-  if (record.T_map_base_true) {
+  if (record.true_pose) {
     writer_.publish(
         channels_.true_pose, record.delivered,
-        ros::PoseStamped{ros_header(record.stamp, "map"),
-                         true_pose(*record.T_map_base_true, record.T_footprint_base_true)});
+        ros::PoseStamped{ros_header(record.stamp, "map"), true_ros_pose(*record.true_pose)});
   }
   if (record.people.people.empty()) return;
   writer_.publish(channels_.people, record.delivered,

@@ -31,7 +31,7 @@ void ScansSink::on_scan(const ScanRecord& record) {
   const LaserScan& scan = record.scan;
   scans_.number(seconds(record.stamp)).text(scan.lidar).text(record.truth.frame);
   scans_.number(scan.angle_min, 9).number(scan.angle_increment, 9);
-  scans_.number(seconds(scan.time_increment), 9).pose(record.T_map_base_true);
+  scans_.number(seconds(scan.time_increment), 9).pose(T_map_base_of(record.true_pose));
   scans_.text(join_numbers(scan.ranges, "{:.4f}"))
       .text(join_numbers(record.truth.intensities, "{:.4g}"));
   scans_.text(join_numbers(record.truth.labels, "{}")).end_row();

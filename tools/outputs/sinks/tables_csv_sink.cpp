@@ -62,8 +62,8 @@ TablesCsvSink::TablesCsvSink(const std::filesystem::path& run_folder,
 
 void TablesCsvSink::on_odometry(const OdometryFrame& frame) {
   odometry_.number(seconds(frame.odometry.stamp)).pose(frame.odometry.T_odom_base);
-  odometry_.pose(frame.T_map_base_true);
-  write_height(frame.T_footprint_base_true, odometry_);
+  odometry_.pose(T_map_base_of(frame.true_pose));
+  write_height(T_footprint_base_of(frame.true_pose), odometry_);
   odometry_.end_row();
 }
 
@@ -100,7 +100,7 @@ void TablesCsvSink::on_scan(const ScanRecord& record) {
   write_lidar(record);
   write_people(record);
   scans_.number(row.stamp_s).text(record.scan.lidar).pose(row.T_map_base);
-  write_height(record.T_footprint_base_true, scans_);
+  write_height(T_footprint_base_of(record.true_pose), scans_);
   scans_.pose(row.T_odom_base);
   scans_.number(row.since_kidnap_s).count(row.held ? 1 : 0).count(row.torn ? 1 : 0);
   scans_.number(row.occluded, 4).number(row.ambiguity, 4);

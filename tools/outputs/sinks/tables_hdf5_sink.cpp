@@ -67,8 +67,8 @@ void TablesHdf5Sink::on_event(const RunEvent& event) {
 void TablesHdf5Sink::on_odometry(const OdometryFrame& frame) {
   file_.append(odometry_.stamp, std::vector<double>{seconds(frame.odometry.stamp)});
   file_.append(odometry_.pose, numbers(frame.odometry.T_odom_base));
-  file_.append(odometry_.truth, numbers(frame.T_map_base_true));
-  const auto above = height_roll_pitch(frame.T_footprint_base_true);
+  file_.append(odometry_.truth, numbers(T_map_base_of(frame.true_pose)));
+  const auto above = height_roll_pitch(T_footprint_base_of(frame.true_pose));
   if (!above) return;
   if (odometry_.above < 0) odometry_.above = add_height("/odometry/true_height_roll_pitch");
   file_.append(odometry_.above, numbers(*above));
@@ -122,7 +122,7 @@ TablesHdf5Sink::LidarTables TablesHdf5Sink::add_lidar(const ScanRecord& record) 
   LidarTables tables;
   tables.stamp = add("stamp_s", Type::kFloat64, 0, "s", "time of the first beam");
   tables.pose = add("pose", Type::kFloat64, 3, kPoseUnit, "true x, y, yaw of base in map then");
-  if (record.T_footprint_base_true) tables.above = add_height(group + "/height_roll_pitch");
+  if (record.has_heights()) tables.above = add_height(group + "/height_roll_pitch");
   tables.odometry = add("odometry", Type::kFloat64, 3, kPoseUnit,
                         "x, y, yaw of base in odom, the newest when the scan is there");
   tables.since_kidnap = add("since_kidnap_s", Type::kFloat64, 0, "s", "since the last; NaN: none");
@@ -162,7 +162,7 @@ void TablesHdf5Sink::on_scan(const ScanRecord& record) {
   };
   file_.append(tables.stamp, std::vector<double>{row.stamp_s});
   file_.append(tables.pose, numbers(row.T_map_base));
-  if (const auto above = height_roll_pitch(record.T_footprint_base_true)) {
+  if (const auto above = height_roll_pitch(T_footprint_base_of(record.true_pose))) {
     file_.append(tables.above, numbers(*above));
   }
   file_.append(tables.odometry, numbers(row.T_odom_base));

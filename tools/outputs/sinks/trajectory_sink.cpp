@@ -9,9 +9,10 @@ namespace castaway::testbed {
 namespace {
 
 std::string true_line(const ScanRecord& record) {
-  const SE2& T_map_base = *record.T_map_base_true;
-  if (!record.T_footprint_base_true) return tum_line({record.stamp, T_map_base});
-  return tum_line(record.stamp, localization::to_se3(T_map_base) * *record.T_footprint_base_true);
+  const SE2& T_map_base = record.true_pose->T_map_base;
+  if (!record.has_heights()) return tum_line({record.stamp, T_map_base});
+  return tum_line(record.stamp,
+                  localization::to_se3(T_map_base) * *record.true_pose->T_footprint_base);
 }
 
 /// A localizer on a 3-D map states its height, not roll and pitch.
@@ -36,7 +37,7 @@ void TrajectorySink::on_scan(const ScanRecord& record) {
   assert(record.localizers.size() == localizers_.size());
   if (record.stamp <= newest_) return;
   newest_ = record.stamp;
-  if (record.T_map_base_true) truth_.write(true_line(record));
+  if (record.true_pose) truth_.write(true_line(record));
   for (std::size_t i = 0; i < localizers_.size(); ++i) {
     const auto& estimate = record.localizers[i].estimate;
     if (!estimate) continue;

@@ -78,7 +78,7 @@ SeenScan scan_after(SimulatorSource& source, Stamp after, const MhAmclConfig& co
   while (auto frame = source.next()) {
     if (const auto* odometry = std::get_if<OdometryFrame>(&frame->data)) {
       input.take(odometry->odometry);
-      T_map_base = odometry->T_map_base_true.value_or(T_map_base);
+      T_map_base = T_map_base_of(odometry->true_pose).value_or(T_map_base);
     }
     if (const auto* imu = std::get_if<ImuFrame>(&frame->data)) input.take(imu->imu);
     const auto* scan = std::get_if<ScanFrame>(&frame->data);

@@ -10,7 +10,7 @@
 #include "localization/space/volume/volume.hpp"
 #include "tools/base/formats/level_map.hpp"
 #include "tools/base/formats/ros_map.hpp"
-#include "tools/build/foreign/protocol/lidar_facts.hpp"
+#include "tools/build/foreign/lidar_facts.hpp"
 #include "tools/play/replay/replay_session.hpp"
 #include "tools/run/run_sink.hpp"
 

@@ -24,13 +24,11 @@ std::vector<const ScanFrame*> scans_of(const Frames& frames) {
 }
 
 /// [m] True height of base; 0 if it is unknown.
-double true_height(const ScanFrame& scan) {
-  return scan.T_footprint_base_true ? scan.T_footprint_base_true->translation().z() : 0.0;
-}
+double true_height(const ScanFrame& scan) { return scan.true_pose ? scan.true_pose->z() : 0.0; }
 
 /// [m] Between two true poses that are known, with their heights.
 double distance_between(const ScanFrame& a, const ScanFrame& b) {
-  return std::hypot(distance(*a.T_map_base_true, *b.T_map_base_true),
+  return std::hypot(distance(a.true_pose->T_map_base, b.true_pose->T_map_base),
                     true_height(a) - true_height(b));
 }
 
@@ -41,7 +39,7 @@ std::size_t cheapest(const std::vector<const ScanFrame*>& scans, Cost cost, cons
   std::size_t best = 0;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const double c =
-        scans[i]->T_map_base_true ? cost(*scans[i]) : std::numeric_limits<double>::infinity();
+        scans[i]->true_pose ? cost(*scans[i]) : std::numeric_limits<double>::infinity();
     if (c >= least) continue;
     least = c;
     best = i;
@@ -59,11 +57,11 @@ std::size_t nearest_scan(const Frames& frames, const SE2& T_map_base,
       scans,
       [&](const ScanFrame& scan) {
         if (!at_height(true_height(scan))) return std::numeric_limits<double>::infinity();
-        return distance(*scan.T_map_base_true, T_map_base) +
-               kPerRadian * yaw_distance(*scan.T_map_base_true, T_map_base);
+        return distance(scan.true_pose->T_map_base, T_map_base) +
+               kPerRadian * yaw_distance(scan.true_pose->T_map_base, T_map_base);
       },
       "the log holds no true poses there: choose a scan to go on from");
-  if (distance(*scans[best]->T_map_base_true, T_map_base) > kFarthestFromLog) {
+  if (distance(scans[best]->true_pose->T_map_base, T_map_base) > kFarthestFromLog) {
     throw std::runtime_error(fmt::format("the log was never within {} m of ({:.2f}, {:.2f}) m",
                                          kFarthestFromLog, T_map_base.x, T_map_base.y));
   }
@@ -75,8 +73,8 @@ std::size_t far_scan(const Frames& frames, std::size_t from, double min_distance
   const ScanFrame& here = *scans.at(from);
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const std::size_t to = (from + scans.size() / 2 + i) % scans.size();
-    if (!here.T_map_base_true && to != from) return to;
-    const bool known = here.T_map_base_true && scans[to]->T_map_base_true;
+    if (!here.true_pose && to != from) return to;
+    const bool known = here.true_pose && scans[to]->true_pose;
     if (known && distance_between(here, *scans[to]) >= min_distance_m) return to;
   }
   throw std::runtime_error(
@@ -89,8 +87,7 @@ std::size_t look_alike_scan(const Frames& frames, std::size_t from, double min_d
   return cheapest(
       scans,
       [&](const ScanFrame& scan) {
-        const bool elsewhere =
-            here.T_map_base_true && distance_between(here, scan) >= min_distance_m;
+        const bool elsewhere = here.true_pose && distance_between(here, scan) >= min_distance_m;
         return elsewhere ? range_difference(here.scan, scan.scan, 0.0)
                          : std::numeric_limits<double>::infinity();
       },

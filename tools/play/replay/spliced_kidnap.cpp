@@ -35,7 +35,7 @@ double rise(const OdometryFrame& a, const OdometryFrame& b) {
 
 /// Between two true poses, with their heights. [m]
 double true_distance(const OdometryFrame& a, const OdometryFrame& b) {
-  return std::hypot(distance(*a.T_map_base_true, *b.T_map_base_true), rise(a, b));
+  return std::hypot(distance(a.true_pose->T_map_base, b.true_pose->T_map_base), rise(a, b));
 }
 
 /// Cost of a kidnap from one scan to another: the least is chosen.
@@ -48,9 +48,9 @@ double cost(const Frames& frames, std::size_t from, std::size_t to, const Splice
 
 /// False if a true pose is unknown.
 bool is_elsewhere(const OdometryFrame& a, const OdometryFrame& b, const SpliceConfig& config) {
-  if (!a.T_map_base_true || !b.T_map_base_true) return false;
+  if (!a.true_pose || !b.true_pose) return false;
   return true_distance(a, b) >= config.min_distance_m ||
-         yaw_distance(*a.T_map_base_true, *b.T_map_base_true) >= config.min_turn_rad;
+         yaw_distance(a.true_pose->T_map_base, b.true_pose->T_map_base) >= config.min_turn_rad;
 }
 
 }  // namespace

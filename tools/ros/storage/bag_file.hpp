@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "tools/ros/mcap/mcap_reader.hpp"
+#include "tools/ros/storage/mcap_reader.hpp"
 #include "tools/ros/storage/sqlite_bag.hpp"
 
 namespace castaway::testbed {

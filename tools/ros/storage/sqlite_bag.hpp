@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "tools/ros/mcap/mcap_directory.hpp"
+#include "tools/ros/storage/mcap_directory.hpp"
 
 struct sqlite3;
 struct sqlite3_stmt;

@@ -77,7 +77,7 @@ std::vector<RawScan> take_scans(const RecordedPlace& place, const ScanCorrection
       breaks = breaks || event->is<KidnapEvent>();
     } else if (const auto* scan = std::get_if<ScanFrame>(&frame.data)) {
       if (!scans.empty() && scan->scan.lidar != scans.front().scan.lidar) continue;
-      scans.push_back({scan->scan, scan->T_map_base_true, breaks});
+      scans.push_back({scan->scan, T_map_base_of(scan->true_pose), breaks});
       scans.back().scan.stamp += correction.stamp;
       log.stamps.push_back(scans.back().scan.stamp);
       breaks = false;

@@ -53,7 +53,7 @@ void show(const TwinPlaces& places, const PredictionConfig& how, DifferingPlace&
   const std::size_t position = positions.at(scan) + 1;
   const auto& in_log = std::get<ScanFrame>(places.log.frames.at(position).data);
   const auto& in_twin = std::get<ScanFrame>(places.replays.front().at(position).data);
-  place.T_map_base = in_log.T_map_base_true.value_or(SE2{});
+  place.T_map_base = T_map_base_of(in_log.true_pose).value_or(SE2{});
   place.picture = how.pages.place(places.log.map, place.T_map_base, in_log.scan, in_twin.scan);
 }
 

@@ -121,11 +121,11 @@ RecordedPlace played_part(const RecordedPlace& place, const AlignedLog& log) {
     if (auto* odometry = std::get_if<OdometryFrame>(&copy.data)) {
       const Stamp stamp = odometry->odometry.stamp;
       if (!time.has(stamp) && stamp != last_before) continue;
-      if (!log.by_truth) odometry->T_map_base_true = T_map_base.at(time.clamp(stamp));
+      if (!log.by_truth) odometry->true_pose = T_map_base.at(time.clamp(stamp));
     } else if (auto* scan = std::get_if<ScanFrame>(&copy.data)) {
       const Stamp stamp = scan->scan.stamp + log.stamp_correction;
       if (scan->scan.lidar != lidar || !time.has_scan(stamp)) continue;
-      if (!log.by_truth) scan->T_map_base_true = T_map_base.at(stamp);
+      if (!log.by_truth) scan->true_pose = T_map_base.at(stamp);
     } else if (!time.has(frame.stamp)) {
       continue;
     }

@@ -7,7 +7,7 @@
 #include "tests/tools/support/temporary.hpp"
 #include "tools/base/bytes/sha256.hpp"
 #include "tools/base/formats/carmen_log.hpp"
-#include "tools/ros/mcap/mcap_reader.hpp"
+#include "tools/ros/storage/mcap_reader.hpp"
 
 namespace castaway::testbed {
 namespace {

@@ -37,14 +37,14 @@ class CampaignRankTest : public testing::Test {
   CampaignSpec spec_;
 };
 
-double number_of(const CampaignCell& cell, std::size_t key) {
+double key_of(const CampaignCell& cell, std::size_t key) {
   return std::stod(cell.values[key].second);
 }
 
 TEST_F(CampaignRankTest, OfAGridIsItsAnalysisOfVariance) {
   load("scenario: {world: lab}\ngrid: {lidar.range_max: [4, 8], people.count: [0, 1]}\nseeds: 3\n");
   const MetricRank ranked =
-      rank([](const CampaignCell& cell) { return number_of(cell, 0) + number_of(cell, 1); });
+      rank([](const CampaignCell& cell) { return key_of(cell, 0) + key_of(cell, 1); });
   EXPECT_EQ(ranked.factors, (std::vector<std::string>{"lidar.range_max", "people.count", "seed"}));
   ASSERT_EQ(ranked.effects.size(), 3U);
   EXPECT_EQ(ranked.seeds, 3U);
@@ -57,7 +57,7 @@ TEST_F(CampaignRankTest, OfAGridIsItsAnalysisOfVariance) {
 
 TEST_F(CampaignRankTest, LeavesOutSeedsThatACombinationLacks) {
   load("scenario: {world: lab}\ngrid: {lidar.range_max: [4, 8]}\nseeds: 5\n");
-  const auto value = [](const CampaignCell& cell) { return number_of(cell, 0); };
+  const auto value = [](const CampaignCell& cell) { return key_of(cell, 0); };
   EXPECT_EQ(rank(value, 2).seeds, 3U);
 }
 
@@ -68,7 +68,7 @@ design: saltelli
 seeds: 64
 )");
   const MetricRank ranked = rank([](const CampaignCell& cell) {
-    return number_of(cell, 0) + 0.001 * static_cast<double>(cell.seed % 2);
+    return key_of(cell, 0) + 0.001 * static_cast<double>(cell.seed % 2);
   });
   EXPECT_EQ(ranked.seeds, 64U);
   EXPECT_EQ(ranked.factors.size(), 3U);

@@ -10,7 +10,7 @@ namespace {
 OdometryFrame odometry_at(double x, double odometry_x) {
   OdometryFrame frame;
   frame.odometry = {localization::from_seconds(x), {odometry_x, 0.0, 0.0}};
-  frame.T_map_base_true = SE2{x, 1.0, 0.0};
+  frame.true_pose = SE2{x, 1.0, 0.0};
   return frame;
 }
 

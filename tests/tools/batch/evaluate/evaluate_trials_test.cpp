@@ -24,7 +24,7 @@ EvaluationConfig each_kind() {
 Frames with_wrong_truth(Frames frames) {
   for (Frame& frame : frames) {
     if (auto* scan = std::get_if<ScanFrame>(&frame.data)) {
-      scan->T_map_base_true = SE2{2.0, 0.0, 0.0} * *scan->T_map_base_true;
+      scan->true_pose = SE2{2.0, 0.0, 0.0} * scan->true_pose->T_map_base;
     }
   }
   return frames;
@@ -123,7 +123,7 @@ TEST(TrackingWithoutAlarm, LeavesOutTheScansWithTheAlarm) {
     auto* scan = std::get_if<ScanFrame>(&frame.data);
     if (scan == nullptr || frame.stamp < std::chrono::seconds(8)) continue;
     scan->scan.ranges.assign(scan->scan.ranges.size(), 0.3F);
-    scan->T_map_base_true = SE2{2.0, 0.0, 0.0} * *scan->T_map_base_true;
+    scan->true_pose = SE2{2.0, 0.0, 0.0} * scan->true_pose->T_map_base;
   }
   const EvaluationRow row = evaluate(place, parse_localizer("mh_amcl"), config);
   ASSERT_TRUE(row.tracking_m && row.tracking_no_alarm_m);

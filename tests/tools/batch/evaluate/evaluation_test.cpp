@@ -28,7 +28,7 @@ EvaluationConfig few() {
 void falsify(Frames& frames, const SE2& by) {
   for (Frame& frame : frames) {
     if (auto* scan = std::get_if<ScanFrame>(&frame.data)) {
-      scan->T_map_base_true = by * *scan->T_map_base_true;
+      scan->true_pose = by * scan->true_pose->T_map_base;
     }
   }
 }
@@ -79,7 +79,7 @@ TEST(Evaluation, CountsAnswersThatAreWrong) {
 TEST(Evaluation, OfALogWithoutTruthIsRefused) {
   RecordedPlace place = recorded_office(60);
   for (Frame& frame : place.frames) {
-    if (auto* scan = std::get_if<ScanFrame>(&frame.data)) scan->T_map_base_true.reset();
+    if (auto* scan = std::get_if<ScanFrame>(&frame.data)) scan->true_pose.reset();
   }
   EvaluationConfig config = few();
   config.starts = 1;
@@ -93,7 +93,7 @@ TEST(Evaluation, CountsTrialsWithTruthAlone) {
   bool first = true;
   for (Frame& frame : place.frames) {
     auto* scan = std::get_if<ScanFrame>(&frame.data);
-    if (scan != nullptr && !std::exchange(first, false)) scan->T_map_base_true.reset();
+    if (scan != nullptr && !std::exchange(first, false)) scan->true_pose.reset();
   }
   EvaluationConfig config = few();
   config.starts = 2;
@@ -153,8 +153,8 @@ TEST(RecordedPlace, IsALogAndItsMap) {
   EXPECT_EQ(place.name, "a-place");
   EXPECT_EQ(place.map.cells, office_map().cells);
   ASSERT_EQ(place.frames.size(), 6U);
-  const SE2 truth = *std::get<ScanFrame>(place.frames[3].data).T_map_base_true;
-  const SE2 same = *std::get<ScanFrame>(recorded_office(3).frames[3].data).T_map_base_true;
+  const SE2 truth = std::get<ScanFrame>(place.frames[3].data).true_pose->T_map_base;
+  const SE2 same = std::get<ScanFrame>(recorded_office(3).frames[3].data).true_pose->T_map_base;
   EXPECT_LT(localization::distance(truth, same), 1e-9);
 }
 

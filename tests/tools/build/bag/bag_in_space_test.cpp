@@ -110,11 +110,11 @@ TEST(BagInSpace, TruePosesHaveHeights) {
   };
   const auto scans = all_of<ScanFrame>(in_space(fill));
   ASSERT_EQ(scans.size(), 2U);
-  EXPECT_NEAR(scans[0].T_footprint_base_true->translation().z(), 3.1, 1e-12);
-  EXPECT_FALSE(scans[1].T_map_base_true);  // Not interpolated over an elevator.
+  EXPECT_NEAR(scans[0].true_pose->T_footprint_base->translation().z(), 3.1, 1e-12);
+  EXPECT_FALSE(scans[1].true_pose);  // Not interpolated over an elevator.
   const auto odometry = all_of<OdometryFrame>(in_space(fill));
-  EXPECT_EQ(odometry.at(0).T_footprint_base_true->translation().z(), 3.0);
-  EXPECT_FALSE(all_of<ScanFrame>(in_space(fill, {}))[0].T_footprint_base_true);
+  EXPECT_EQ(odometry.at(0).true_pose->T_footprint_base->translation().z(), 3.0);
+  EXPECT_FALSE(all_of<ScanFrame>(in_space(fill, {}))[0].true_pose->T_footprint_base);
 }
 
 TEST(BagInSpace, APlanarTruthHasNoHeights) {
@@ -122,8 +122,8 @@ TEST(BagInSpace, APlanarTruthHasNoHeights) {
     bag.add("/ground_truth/odom", nanoseconds_of(1.0), truth_at(1.0, 2.0, 0.0));
   });
   const auto odometry = all_of<OdometryFrame>(recording);
-  EXPECT_EQ(odometry.at(0).T_map_base_true->x, 2.0);
-  EXPECT_FALSE(odometry.at(0).T_footprint_base_true);
+  EXPECT_EQ(odometry.at(0).true_pose->T_map_base.x, 2.0);
+  EXPECT_FALSE(odometry.at(0).true_pose->T_footprint_base);
 }
 
 TEST(BagInSpace, KeepsRollAndPitchApartFromYaw) {
@@ -133,7 +133,7 @@ TEST(BagInSpace, KeepsRollAndPitchApartFromYaw) {
   const TruePose pose = true_pose_of(to_ros_pose(T_map_base));
   EXPECT_NEAR(pose.T_map_base.yaw, 0.7, 1e-12);
   EXPECT_TRUE(
-      (localization::to_se3(pose.T_map_base) * pose.T_footprint_base).isApprox(T_map_base, 1e-12));
+      (localization::to_se3(pose.T_map_base) * *pose.T_footprint_base).isApprox(T_map_base, 1e-12));
 }
 
 TEST(BagInSpace, MountsAreAboveTheGround) {
@@ -156,7 +156,7 @@ TEST(BagInSpace, MountsAreAboveTheGround) {
   EXPECT_EQ(lift({true, 1.0}), Eigen::Vector3d(0.25, 0.0, 1.5));
   EXPECT_EQ(lift({}), Eigen::Vector3d(0.25, 0.0, 0.5));
   const auto odometry = all_of<OdometryFrame>(in_space(fill));
-  EXPECT_EQ(odometry.at(0).T_footprint_base_true->translation().z(), 3.0);
+  EXPECT_EQ(odometry.at(0).true_pose->T_footprint_base->translation().z(), 3.0);
 }
 
 TEST(BagInSpace, PlaysTheCloudsOf3dLidars) {

@@ -54,7 +54,7 @@ TEST(BagReading, PlaysARobotsOwnRecording) {
   EXPECT_EQ(recording.frames[1].stamp, milliseconds(200));
   EXPECT_EQ(scan.scan.ranges, (std::vector<float>{1.0F, 2.0F, 3.0F}));
   EXPECT_EQ(scan.scan.T_base_laser.translation().x(), 0.25);
-  EXPECT_FALSE(scan.T_map_base_true);
+  EXPECT_FALSE(scan.true_pose);
 }
 
 TEST(BagReading, MountsScansByATreeThatComesLater) {
@@ -134,10 +134,10 @@ TEST(BagReading, InterpolatesTheTruthButNotOverAJump) {
     }
     for (const double t : {1.1, 1.3, 1.4}) bag.add("/scan", ns(t), ros_scan_at(t, "base_link"));
   });
-  EXPECT_NEAR(scan_in(recording, 1).T_map_base_true->x, 0.05, 1e-12);
-  EXPECT_FALSE(scan_in(recording, 2).T_map_base_true);
-  EXPECT_EQ(scan_in(recording, 3).T_map_base_true->x, 5.0);
-  EXPECT_EQ(odometry_in(recording, 0).T_map_base_true->x, 0.0);
+  EXPECT_NEAR(scan_in(recording, 1).true_pose->T_map_base.x, 0.05, 1e-12);
+  EXPECT_FALSE(scan_in(recording, 2).true_pose);
+  EXPECT_EQ(scan_in(recording, 3).true_pose->T_map_base.x, 5.0);
+  EXPECT_EQ(odometry_in(recording, 0).true_pose->T_map_base.x, 0.0);
 }
 
 TEST(BagReading, ReadsAMapOfTheBag) {
@@ -227,7 +227,7 @@ TEST_F(OwnBag, BringsOdometryAndEventsBack) {
   EXPECT_EQ(odometry.odometry.stamp, milliseconds(50));
   EXPECT_EQ(odometry.odometry.T_odom_base.x, 0.1);
   EXPECT_EQ(odometry.odometry.T_odom_base.yaw, 3.1);
-  EXPECT_EQ(odometry.T_map_base_true->yaw, -3.1);
+  EXPECT_EQ(odometry.true_pose->T_map_base.yaw, -3.1);
   EXPECT_TRUE(std::get<RunEvent>(recording_.frames[1].data).is<KidnapEvent>());
 }
 
@@ -241,7 +241,7 @@ TEST_F(OwnBag, BringsScansBackToTheBit) {
   EXPECT_EQ(back.scan.lidar, "front");
   EXPECT_EQ(back.truth.frame, "laser");
   EXPECT_EQ(back.scan.T_base_laser.matrix(), mount().matrix());
-  EXPECT_NEAR(back.T_map_base_true->x, 0.01, 1e-15);
+  EXPECT_NEAR(back.true_pose->T_map_base.x, 0.01, 1e-15);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "tools/build/foreign/protocol/answer.hpp"
+#include "tools/build/foreign/answer.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/tools/support/temporary.hpp"
-#include "tools/build/foreign/protocol/message.hpp"
+#include "tools/build/foreign/message.hpp"
 
 namespace castaway::testbed {
 namespace {

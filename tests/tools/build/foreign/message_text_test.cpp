@@ -1,11 +1,11 @@
-#include "tools/build/foreign/protocol/message_text.hpp"
+#include "tools/build/foreign/message_text.hpp"
 
 #include <limits>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/build/foreign/protocol/message.hpp"
+#include "tools/build/foreign/message.hpp"
 
 namespace castaway::testbed {
 namespace {

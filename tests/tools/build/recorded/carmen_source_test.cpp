@@ -36,7 +36,7 @@ std::string played(const std::string& log, const CarmenSourceConfig& config = {}
     const auto* scan = std::get_if<ScanFrame>(&frame->data);
     const auto* odometry = std::get_if<OdometryFrame>(&frame->data);
     const bool known =
-        scan != nullptr ? scan->T_map_base_true.has_value() : odometry->T_map_base_true.has_value();
+        scan != nullptr ? scan->true_pose.has_value() : odometry->true_pose.has_value();
     text += (scan != nullptr ? "s" : "o") +
             std::to_string(std::lround(10.0 * localization::seconds(frame->stamp))) +
             (known ? "* " : " ");

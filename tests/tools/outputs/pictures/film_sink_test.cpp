@@ -38,7 +38,7 @@ std::uintmax_t film_of(const FilmConfig& config, bool with_truth = true) {
   for (int i = 0; i < 40; ++i) {
     if (i % 4 == 0) sink.on_scan(record_at(0.05 * i, kFilmed));
     OdometryFrame frame = filmed_odometry(0.05 * i);
-    if (!with_truth) frame.T_map_base_true.reset();
+    if (!with_truth) frame.true_pose.reset();
     sink.on_odometry(frame);
   }
   sink.finish(localization::from_seconds(2.0), {});

@@ -35,7 +35,7 @@ TEST(MapCaptionOfARecord, NamesTruthAndLocalizers) {
   among_people.people.people.emplace_back();
   EXPECT_EQ(caption_of(among_people).entries.back().name, "people");
   ScanRecord recorded = record_at(1.0, {"amcl"});
-  recorded.T_map_base_true.reset();
+  recorded.true_pose.reset();
   EXPECT_EQ(caption_of(recorded).entries.size(), 1U);
 }
 
@@ -54,7 +54,7 @@ TEST(MapPicture, HidesNothingOfTheMap) {
       const PictureWorld world = map_of(width, height);
       ScanRecord record = record_at(1.0, {"a", "b"});
       const int strip = caption_height(caption_of(record), kPictureWidth, kPictureHeight);
-      record.T_map_base_true = SE2{-90.0, 0.0, 0.0};  // Outside the image.
+      record.true_pose = SE2{-90.0, 0.0, 0.0};  // Outside the image.
       for (auto& localizer : record.localizers) localizer.estimate.reset();
       const sim::Image image = map_picture(renderer, world, map_item(*world.map), record);
       const double scale =

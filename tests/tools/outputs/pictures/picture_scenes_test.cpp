@@ -61,9 +61,9 @@ TEST(OverviewScene, ShowsTheFloorOnWhichTheRobotIs) {
   world.lowest_ground = [](const Eigen::Vector2d&) { return 0.0; };
   ScanRecord record = record_at(0.0, {});
   EXPECT_EQ(overview_scene(world, record, std::nullopt).items.size(), 4U);
-  record.T_footprint_base_true = Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 3.0));
+  record.true_pose->T_footprint_base = Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 3.0));
   EXPECT_EQ(overview_scene(world, record, std::nullopt).items.size(), 3U);
-  record.T_footprint_base_true->translation().z() = 0.0;
+  record.true_pose->T_footprint_base->translation().z() = 0.0;
   EXPECT_EQ(overview_scene(world, record, std::nullopt).items.size(), 2U);
 }
 
@@ -72,14 +72,14 @@ TEST(OverviewScene, ShowsWhatStandsHigherOnAHill) {
   world.world = {slab_at(0.0F), slab_at(6.0F)};
   world.lowest_ground = [](const Eigen::Vector2d&) { return 6.0; };
   ScanRecord record = record_at(0.0, {});
-  record.T_footprint_base_true = Eigen::Isometry3d::Identity();
+  record.true_pose->T_footprint_base = Eigen::Isometry3d::Identity();
   EXPECT_EQ(overview_scene(world, record, std::nullopt).items.size(), 2U);
 }
 
 TEST(OverviewScene, DrawsEstimatesOnTheirFloors) {
   PictureWorld world;
   ScanRecord record = record_at(0.0, {"above", "planar"});
-  record.T_footprint_base_true = Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 3.0));
+  record.true_pose->T_footprint_base = Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 3.0));
   record.localizers[0].estimate->footing = {6.0, 2};
   const sim::Scene scene = overview_scene(world, record, std::nullopt);
   ASSERT_EQ(scene.items.size(), 2U);  // The arrows.

@@ -38,7 +38,7 @@ std::vector<std::string> pictures_of(PictureWorld world, const PictureConfig& co
   for (int i = 0; i < 16; ++i) {
     if (i == 6) sink.on_event(kidnap_to(2.5));
     ScanRecord record = record_at(0.5 * i, {"a"});
-    if (i >= 5) record.T_map_base_true->y = 4.0;
+    if (i >= 5) record.true_pose->T_map_base.y = 4.0;
     if (i >= 8) record.localizers[0].estimate->T_map_base.y = 4.0;
     sink.on_scan(record);
   }

@@ -5,8 +5,8 @@
 #include "tests/tools/support/records.hpp"
 #include "tests/tools/support/temporary.hpp"
 #include "tools/ros/event_json.hpp"
-#include "tools/ros/mcap/mcap_reader.hpp"
 #include "tools/ros/ros_visualization.hpp"
+#include "tools/ros/storage/mcap_reader.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -160,10 +160,10 @@ Eigen::Matrix3d rotation_of(const ros::Quaternion& q) {
 /// Plays an odometry reading and a scan of a run on several floors.
 void play_on_ramp(BagSink& sink) {
   OdometryFrame odometry = odometry_at(0.5);
-  odometry.T_footprint_base_true = on_ramp();
+  odometry.true_pose->T_footprint_base = on_ramp();
   sink.on_odometry(odometry);
   ScanRecord record = scan_at(0.5);
-  record.T_footprint_base_true = on_ramp();
+  record.true_pose->T_footprint_base = on_ramp();
   record.localizers[0].estimate->footing = localization::Footing{3.25, 1};
   record.localizers[0].diagnostics.populations[0].footing = localization::Footing{3.125, 1};
   sink.on_scan(record);

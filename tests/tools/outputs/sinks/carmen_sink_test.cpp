@@ -40,8 +40,8 @@ TEST(CarmenSink, PutsLinesInOrderOfTheirStamps) {
     const auto* scan = std::get_if<ScanFrame>(&frame->data);
     if (scan == nullptr) continue;
     scans.push_back(localization::seconds(scan->scan.stamp));
-    ASSERT_TRUE(scan->T_map_base_true);
-    EXPECT_NEAR(scan->T_map_base_true->x, 0.075, 1e-12);
+    ASSERT_TRUE(scan->true_pose);
+    EXPECT_NEAR(scan->true_pose->T_map_base.x, 0.075, 1e-12);
     EXPECT_EQ(scan->scan.ranges, (std::vector<float>{1.0F, 2.0F, 3.0F}));
     EXPECT_NEAR(scan->scan.T_base_laser.translation().x(), 0.2, 1e-12);
   }

@@ -37,7 +37,7 @@ TEST(ErrorsSink, WritesARowForEveryLocalizer) {
 
 TEST(ErrorsSink, LeavesEmptyWhatIsNotKnown) {
   ScanRecord record = record_at(3.0, {"a"});
-  record.T_map_base_true.reset();
+  record.true_pose.reset();
   EXPECT_EQ(rows_of({record}),
             "3.000000,a,,,,0.300000,0.200000,0.100000,,,0.750000,0.000000,0.000000,0.500000,0,0,0,"
             "\n");

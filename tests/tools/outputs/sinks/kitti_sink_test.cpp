@@ -26,8 +26,8 @@ TEST(KittiSink, OnSeveralFloorsPosesHaveHeightRollAndPitch) {
   const TemporaryFolder folder;
   KittiSink sink(folder.path());
   ScanRecord record = record_at(1.0, {});
-  record.T_map_base_true = SE2{1.0, 2.0, 0.0};
-  record.T_footprint_base_true = nose_up(3.5);
+  record.true_pose = SE2{1.0, 2.0, 0.0};
+  record.true_pose->T_footprint_base = nose_up(3.5);
   sink.on_scan(record);
   sink.finish({}, {});
   EXPECT_EQ(read_file(folder.path() / "kitti" / "poses.txt"),
@@ -41,7 +41,7 @@ TEST(KittiSink, HasATimeForEachPose) {
   sink.on_scan(record_at(1.0, {}));
   sink.on_scan(record_at(1.0, {}));  // Another lidar's.
   ScanRecord unknown = record_at(1.5, {});
-  unknown.T_map_base_true.reset();
+  unknown.true_pose.reset();
   sink.on_scan(unknown);
   sink.on_scan(record_at(2.0, {}));
   sink.finish({}, {});

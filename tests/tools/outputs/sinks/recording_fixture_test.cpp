@@ -79,8 +79,8 @@ TEST(RecordingFixture, OfFloorsIsWhatTheSinkWrites) {
   std::vector<ScanRecord> records = fixture_records();
   for (ScanRecord& record : records) {
     const double z = localization::seconds(record.stamp);
-    record.T_footprint_base_true = Eigen::Translation3d(0.0, 0.0, 1.5 * z) *
-                                   Eigen::AngleAxisd(0.125, Eigen::Vector3d::UnitY());
+    record.true_pose->T_footprint_base = Eigen::Translation3d(0.0, 0.0, 1.5 * z) *
+                                         Eigen::AngleAxisd(0.125, Eigen::Vector3d::UnitY());
     record.localizers[0].estimate->footing = {.z = 1.5 * z, .level = z < 2.0 ? 0 : 1};
     record.localizers[0].diagnostics.populations[0].footing = {.z = 3.0, .level = 1};
   }

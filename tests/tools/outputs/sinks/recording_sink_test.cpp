@@ -67,7 +67,7 @@ TEST(RecordingSink, KeepsWhatCanBeSeen) {
 
 TEST(RecordingSink, SaysWhatIsNotThere) {
   std::vector<ScanRecord> records = three_records();
-  records[1].T_map_base_true.reset();
+  records[1].true_pose.reset();
   records[1].localizers[0].estimate.reset();
   records[2].localizers[0].estimate->lost = true;
   const Recording recording = unpack_recording(file_of(records));
@@ -133,9 +133,9 @@ TEST(RecordingSink, KeepsHeightsAndFloors) {
       std::make_shared<const LevelMaps>(LevelMaps{{0.0, one_cell()}, {3.0, one_cell()}});
   RecordingSink sink(folder.path(), info, one_cell(), config);
   ScanRecord record = record_at(1.0, kRecorded);
-  record.T_footprint_base_true = Eigen::Translation3d(0.0, 0.0, 3.1) *
-                                 Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitY()) *
-                                 Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX());
+  record.true_pose->T_footprint_base = Eigen::Translation3d(0.0, 0.0, 3.1) *
+                                       Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitY()) *
+                                       Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX());
   record.localizers[1].estimate->footing = {.z = 3.0, .level = 1};
   sink.on_scan(record);
   sink.finish(localization::from_seconds(3.0), {});
@@ -167,7 +167,7 @@ TEST(RecordingSink, BeginsHeightsLateWhereTheyAreKnownLate) {
   RunInfo info = run_of(kRecorded);
   info.heights = true;
   std::vector<ScanRecord> records = three_records();
-  records[1].T_footprint_base_true.emplace(Eigen::Translation3d(0.0, 0.0, 2.0));
+  records[1].true_pose->T_footprint_base.emplace(Eigen::Translation3d(0.0, 0.0, 2.0));
   RecordingSink sink(folder.path(), info, one_cell(), {});
   for (const ScanRecord& record : records) sink.on_scan(record);
   sink.finish(localization::from_seconds(3.0), {});

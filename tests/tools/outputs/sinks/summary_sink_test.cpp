@@ -19,7 +19,7 @@ void play(SummarySink& sink) {
   for (int t = 0; t < 20; ++t) {
     if (t == 5) sink.on_event(kidnap_to(4.5));
     ScanRecord record = record_at(t, {"a"});
-    if (t >= 5) record.T_map_base_true->y = 4.0;
+    if (t >= 5) record.true_pose->T_map_base.y = 4.0;
     if (t >= 7) record.localizers[0].estimate->T_map_base.y = 4.0;
     record.localizers[0].estimate->lost = t == 5 || t == 6;
     sink.on_scan(record);

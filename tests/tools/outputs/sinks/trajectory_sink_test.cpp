@@ -22,7 +22,7 @@ TEST(TrajectorySink, WritesTheTruthAndEachLocalizerAtTheScansStamps) {
   record.localizers[1].estimate.reset();
   sink.on_scan(record);
   record = record_at(2.5, names);
-  record.T_map_base_true.reset();
+  record.true_pose.reset();
   record.localizers[0].estimate->T_map_base.yaw = -0.5 * std::numbers::pi;
   sink.on_scan(record);
   sink.finish(Stamp{}, {});

@@ -32,7 +32,7 @@ std::vector<ScanRecord> records(int count) {
   for (int t = 0; t < count; ++t) {
     ScanRecord& record = all.emplace_back(record_at(t, kReported));
     if (t < 5) continue;
-    record.T_map_base_true->y += 4.0;
+    record.true_pose->T_map_base.y += 4.0;
     for (auto& localizer : record.localizers) localizer.estimate->T_map_base.y += 4.0;
   }
   return all;
@@ -213,7 +213,7 @@ TEST(Report, IsTheSameForTheSameRunOutsideOfItsTiming) {
 
 TEST(Report, DoesWithoutTruth) {
   std::vector<ScanRecord> all = records(20);
-  for (ScanRecord& record : all) record.T_map_base_true.reset();
+  for (ScanRecord& record : all) record.true_pose.reset();
   const std::string html = report_of(all);
   expect_sound(html);
   EXPECT_TRUE(contains(html, "The log holds no true poses, so that nothing is scored."));
@@ -248,7 +248,7 @@ TEST(Report, DoesWithoutLocalizersAndMap) {
 
 TEST(Report, DrawsPathsWithoutMapAsLargeAsTheyAre) {
   std::vector<ScanRecord> all{record_at(0.0, kReported)};
-  all[0].T_map_base_true->x = 1000.0;
+  all[0].true_pose->T_map_base.x = 1000.0;
   for (auto& localizer : all[0].localizers) localizer.estimate->T_map_base = {1000.0, 0.0, 0.0};
   // The path is a point: the plot shows 1 m around it, in cells of 5 cm.
   EXPECT_TRUE(contains(report_of(all, run_of(kReported), 1.0, std::nullopt),
@@ -264,7 +264,7 @@ TEST(Report, DrawsAScaleBarBeneathTheMap) {
 TEST(Report, DrawsPathsOnTheFloorOnWhichTheyAre) {
   std::vector<ScanRecord> all = records(4);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    all[i].T_footprint_base_true.emplace(Eigen::Translation3d(0.0, 0.0, i < 2 ? 0.0 : 3.0));
+    all[i].true_pose->T_footprint_base.emplace(Eigen::Translation3d(0.0, 0.0, i < 2 ? 0.0 : 3.0));
     for (auto& localizer : all[i].localizers) {
       localizer.estimate->footing = {.z = i < 1 ? 0.0 : 3.0};
     }

@@ -80,9 +80,10 @@ TEST_F(RecordedLogTest, TurnsTruePosesIntoTheFrameOfTheMap) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const auto* scan = std::get_if<ScanFrame>(&frames[i].data);
     const SE2 T_truth_base =
-        *(scan ? scan->T_map_base_true : std::get<OdometryFrame>(frames[i].data).T_map_base_true);
-    const SE2 T_map_base = *(scan ? std::get<ScanFrame>(moved[i].data).T_map_base_true
-                                  : std::get<OdometryFrame>(moved[i].data).T_map_base_true);
+        (scan ? scan->true_pose : std::get<OdometryFrame>(frames[i].data).true_pose)->T_map_base;
+    const SE2 T_map_base = (scan ? std::get<ScanFrame>(moved[i].data).true_pose
+                                 : std::get<OdometryFrame>(moved[i].data).true_pose)
+                               ->T_map_base;
     EXPECT_NEAR(T_map_base.x, 10.0 - T_truth_base.y, 1e-9);
     EXPECT_NEAR(T_map_base.y, -2.0 + T_truth_base.x, 1e-9);
     EXPECT_NEAR(std::cos(T_map_base.yaw), -std::sin(T_truth_base.yaw), 1e-9);

@@ -25,7 +25,7 @@ Frames log_with(int scans, Range range) {
 
 Frames without_truth(Frames frames) {
   for (Frame& frame : frames) {
-    if (auto* scan = std::get_if<ScanFrame>(&frame.data)) scan->T_map_base_true.reset();
+    if (auto* scan = std::get_if<ScanFrame>(&frame.data)) scan->true_pose.reset();
   }
   return frames;
 }
@@ -41,7 +41,7 @@ TEST(SpliceTarget, IsTheNearestScan) {
 
 TEST(SpliceTarget, HeedsTheHeading) {
   Frames frames = straight_log(30);
-  std::get<ScanFrame>(frames[3 * 20 + 1].data).T_map_base_true = SE2{21.5, 0.0, 3.0};
+  std::get<ScanFrame>(frames[3 * 20 + 1].data).true_pose = SE2{21.5, 0.0, 3.0};
   EXPECT_EQ(nearest_scan(frames, {21.5, 0.0, 3.0}), 20U);
   EXPECT_EQ(nearest_scan(frames, {21.5, 0.0, 0.0}), 15U);
 }
@@ -49,7 +49,7 @@ TEST(SpliceTarget, HeedsTheHeading) {
 TEST(SpliceTarget, IsOnTheFloorThatIsChosen) {
   Frames frames = straight_log(30);
   for (const std::size_t scan : {12U, 25U}) {
-    std::get<ScanFrame>(frames[3 * scan + 1].data).T_footprint_base_true =
+    std::get<ScanFrame>(frames[3 * scan + 1].data).true_pose->T_footprint_base =
         Eigen::Translation3d(0.0, 0.0, 3.0) * Eigen::Isometry3d::Identity();
   }
   const SE2 place{21.24, 0.3, 0.0};

@@ -18,7 +18,7 @@ LaserScan scan_of(std::vector<float> ranges) {
 }
 
 SE2 truth_at(const Frames& frames, std::size_t scan) {
-  return *std::get<ScanFrame>(frames[2 * scan + 1].data).T_map_base_true;
+  return std::get<ScanFrame>(frames[2 * scan + 1].data).true_pose->T_map_base;
 }
 
 bool is_another_place(const SE2& a, const SE2& b, const SpliceConfig& config) {
@@ -63,7 +63,7 @@ TEST(SplicedKidnap, AFloorAboveIsAnotherPlace) {
     for (Frame& frame : frames) {
       auto* odometry = std::get_if<OdometryFrame>(&frame.data);
       if (odometry == nullptr) continue;
-      odometry->T_footprint_base_true = Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, z));
+      odometry->true_pose->T_footprint_base = Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, z));
     }
     return frames;
   };

@@ -34,7 +34,8 @@ std::vector<ScanFrame*> scans_in(Frames& frames) {
 /// True poses of a log by stamp.
 std::map<Stamp, SE2> true_poses(Frames frames) {
   std::map<Stamp, SE2> poses;
-  for (const ScanFrame* scan : scans_in(frames)) poses[scan->scan.stamp] = *scan->T_map_base_true;
+  for (const ScanFrame* scan : scans_in(frames))
+    poses[scan->scan.stamp] = scan->true_pose->T_map_base;
   return poses;
 }
 
@@ -90,7 +91,7 @@ TEST(AlignedLog, PullsPosesBackOntoTheWalls) {
        {SE2{0.03, 0.0, 0.0}, SE2{-0.02, -0.02, 0.0}, SE2{0.0, 0.03, 0.01}, SE2{0.0, 0.0, -0.02}}) {
     RecordedPlace place = office;
     for (ScanFrame* scan : scans_in(place.frames)) {
-      scan->T_map_base_true = *scan->T_map_base_true * off;
+      scan->true_pose = scan->true_pose->T_map_base * off;
     }
     expect_aligned(align_log(place, AlignBy::kAuto, at_borders()), truth, kWithin);
   }
@@ -112,7 +113,7 @@ TEST(AlignedLog, WithTheSurfacesOfWallsIsRightWhereOneOfTwoOppositeWallsIsSeen) 
   RecordedPlace place = recorded_office(50);
   const auto truth = true_poses(place.frames);
   for (ScanFrame* frame : scans_in(place.frames)) {
-    const SE2 T_map_base = *frame->T_map_base_true;
+    const SE2 T_map_base = frame->true_pose->T_map_base;
     frame->scan = room_scan(test::office(), T_map_base, frame->scan.stamp);
     for (std::size_t i = 0; i < frame->scan.ranges.size(); ++i) {
       const double to_corner =
@@ -143,9 +144,9 @@ TEST(AlignedLog, NeedsFiftyScans) {
 TEST(AlignedLog, WantsReferencePosesOfMostScansIfAskedTo) {
   RecordedPlace place = recorded_office(60);
   const std::vector<ScanFrame*> scans = scans_in(place.frames);
-  for (std::size_t k = 0; k < 29; ++k) scans[k]->T_map_base_true.reset();
+  for (std::size_t k = 0; k < 29; ++k) scans[k]->true_pose.reset();
   EXPECT_NO_THROW(align_log(place, AlignBy::kTruth));
-  scans[29]->T_map_base_true.reset();
+  scans[29]->true_pose.reset();
   const std::string error = error_of([&] { align_log(place, AlignBy::kTruth); });
   EXPECT_TRUE(contains(error, "office: most of its scans have no reference pose"));
   EXPECT_TRUE(contains(error, "--align"));
@@ -155,7 +156,7 @@ TEST(AlignedLog, TracksBackwardsWhereTheBeginningHasNoPose) {
   RecordedPlace place = recorded_office(65);
   const auto truth = true_poses(place.frames);
   const std::vector<ScanFrame*> scans = scans_in(place.frames);
-  for (std::size_t k = 0; k < 20; ++k) scans[k]->T_map_base_true.reset();
+  for (std::size_t k = 0; k < 20; ++k) scans[k]->true_pose.reset();
   // A gap of 1 s, in which the robot moves by more than the alignment reaches.
   const auto in_gap = [](const Frame& frame) {
     return std::holds_alternative<ScanFrame>(frame.data) && frame.stamp > milliseconds(3000) &&
@@ -171,7 +172,7 @@ TEST(AlignedLog, TracksBackwardsWhereTheBeginningHasNoPose) {
 TEST(AlignedLog, DoesNotTrackBackwardsThroughAKidnap) {
   RecordedPlace place = recorded_office(80);
   const std::vector<ScanFrame*> scans = scans_in(place.frames);
-  for (std::size_t k = 0; k < 20; ++k) scans[k]->T_map_base_true.reset();
+  for (std::size_t k = 0; k < 20; ++k) scans[k]->true_pose.reset();
   insert_kidnap(place.frames, 15);
   const AlignedLog log = align_log(place, AlignBy::kTruth);
   EXPECT_EQ(log.left_out, 15U);
@@ -254,7 +255,7 @@ TEST(AlignedLog, CorrectsThePathByThePoseOfTheDrive) {
 RecordedPlace misplaced_office(int scans, const SE2& off) {
   RecordedPlace place = recorded_office(scans);
   for (ScanFrame* scan : scans_in(place.frames)) {
-    scan->T_map_base_true = *scan->T_map_base_true * off;
+    scan->true_pose = scan->true_pose->T_map_base * off;
   }
   return place;
 }
@@ -299,7 +300,7 @@ TEST(AlignedLog, DoesNotCorrectPosesThatItTracksBackwards) {
   const auto truth = true_poses(recorded_office(65).frames);
   RecordedPlace place = misplaced_office(65, off);
   const std::vector<ScanFrame*> scans = scans_in(place.frames);
-  for (std::size_t k = 0; k < 20; ++k) scans[k]->T_map_base_true.reset();
+  for (std::size_t k = 0; k < 20; ++k) scans[k]->true_pose.reset();
   ScanCorrection correction = at_borders();
   correction.T_reference_base = off.inverse();
   const AlignedLog log = align_log(place, AlignBy::kTruth, correction);
@@ -331,7 +332,7 @@ TEST(AlignedLog, TakesTheFirstLidarOnly) {
 TEST(AlignedLog, WithoutReferencePosesIsLocalized) {
   RecordedPlace place = recorded_office(70);
   const auto truth = true_poses(place.frames);
-  for (ScanFrame* scan : scans_in(place.frames)) scan->T_map_base_true.reset();
+  for (ScanFrame* scan : scans_in(place.frames)) scan->true_pose.reset();
   const AlignedLog log = align_log(place, AlignBy::kAuto, at_borders());
   EXPECT_FALSE(log.by_truth);
   EXPECT_EQ(log.scans.size() + log.left_out, 70U);
@@ -342,7 +343,7 @@ TEST(AlignedLog, WithoutReferencePosesIsLocalized) {
 TEST(AlignedLog, IsLocalizedDespiteReferencePosesIfAskedTo) {
   RecordedPlace place = recorded_office(70);
   const auto truth = true_poses(place.frames);
-  for (ScanFrame* scan : scans_in(place.frames)) scan->T_map_base_true = SE2{3.0, 3.0, 3.0};
+  for (ScanFrame* scan : scans_in(place.frames)) scan->true_pose = SE2{3.0, 3.0, 3.0};
   const AlignedLog log = align_log(place, AlignBy::kMhAmcl, at_borders(milliseconds(20)));
   EXPECT_FALSE(log.by_truth);
   EXPECT_EQ(log.scans.size(), 70U);
@@ -389,7 +390,7 @@ TEST(AlignedLog, OfNoisyScansIsAsPreciseAsTheirMean) {
   for (ScanFrame* scan : scans_in(place.frames)) {
     const double dx = 0.02 * normal(rng);
     const double dy = 0.02 * normal(rng);
-    scan->T_map_base_true = *scan->T_map_base_true * SE2{dx, dy, 0.01 * normal(rng)};
+    scan->true_pose = scan->true_pose->T_map_base * SE2{dx, dy, 0.01 * normal(rng)};
     for (float& r : scan->scan.ranges) r += static_cast<float>(0.02 * normal(rng));
   }
   const AlignedLog log = align_log(place, AlignBy::kTruth, at_borders());

@@ -64,7 +64,7 @@ TEST(PredictLogs, ShowsPlacesWhereLogAndTwinDiffer) {
     auto* scan = std::get_if<ScanFrame>(&frame.data);
     if (scan == nullptr) continue;
     const int k = index++;
-    if (k == 40) T_map_base = *scan->T_map_base_true;
+    if (k == 40) T_map_base = scan->true_pose->T_map_base;
     if (k >= 30 && k < 70) scan->scan.ranges.assign(scan->scan.ranges.size(), 12.0F);
   }
   const TemporaryFolder folder;

@@ -15,7 +15,7 @@ TwinPlaces half_right_places() {
   Frames wrong = places.log.frames;
   for (Frame& frame : wrong) {
     if (auto* scan = std::get_if<ScanFrame>(&frame.data)) {
-      scan->T_map_base_true = SE2{2.0, 0.0, 0.0} * *scan->T_map_base_true;
+      scan->true_pose = SE2{2.0, 0.0, 0.0} * scan->true_pose->T_map_base;
     }
   }
   places.replays = {places.log.frames, wrong};

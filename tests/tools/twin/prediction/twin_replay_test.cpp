@@ -39,7 +39,7 @@ AlignedLog aligned_part(const RecordedPlace& place, bool by_truth) {
       const int k = index++;
       log.stamps.push_back(scan->scan.stamp);
       if (k < 2 || k > 5) continue;
-      log.scans.push_back({scan->scan, SE2{0.0, 0.5, 0.0} * *scan->T_map_base_true});
+      log.scans.push_back({scan->scan, SE2{0.0, 0.5, 0.0} * scan->true_pose->T_map_base});
     }
   }
   log.T_odom_base = log.T_path_base;
@@ -127,7 +127,7 @@ TEST(PlayedPart, KeepsReferencePosesWhereTheLogWasAlignedByThem) {
   const RecordedPlace place = straight_place();
   const RecordedPlace played = played_part(place, aligned_part(place, true));
   for (const ScanFrame* scan : all_of<ScanFrame>(played.frames)) {
-    EXPECT_EQ(scan->T_map_base_true->y, 0.0);
+    EXPECT_EQ(scan->true_pose->T_map_base.y, 0.0);
   }
 }
 
@@ -138,13 +138,13 @@ TEST(PlayedPart, ElseHasTheAlignedPoses) {
   ASSERT_EQ(scans.size(), 4U);
   for (std::size_t k = 0; k < scans.size(); ++k) {
     const SE2 aligned{20.2 + 0.1 * static_cast<double>(k), 0.5, 0.0};
-    EXPECT_LT(localization::distance(*scans[k]->T_map_base_true, aligned), 1e-9);
+    EXPECT_LT(localization::distance(scans[k]->true_pose->T_map_base, aligned), 1e-9);
   }
   // Odometry is every 0.05 m; before the first scan and after the last it has their poses.
   const auto odometry = all_of<OdometryFrame>(played.frames);
   for (std::size_t k = 0; k < odometry.size(); ++k) {
     const double x = std::clamp(20.1 + 0.05 * static_cast<double>(k), 20.2, 20.5);
-    EXPECT_LT(localization::distance(*odometry[k]->T_map_base_true, {x, 0.5, 0.0}), 1e-9) << k;
+    EXPECT_LT(localization::distance(odometry[k]->true_pose->T_map_base, {x, 0.5, 0.0}), 1e-9) << k;
   }
 }
 
@@ -157,7 +157,7 @@ TEST(PlayedPart, ComparesStampsOnTheClockOfOdometry) {
   const auto scans = all_of<ScanFrame>(played.frames);
   ASSERT_EQ(scans.size(), 4U);
   EXPECT_EQ(scans.front()->scan.stamp, milliseconds(10400));  // as recorded
-  EXPECT_LT(localization::distance(*scans.front()->T_map_base_true, {20.2, 0.5, 0.0}), 1e-9);
+  EXPECT_LT(localization::distance(scans.front()->true_pose->T_map_base, {20.2, 0.5, 0.0}), 1e-9);
   const auto odometry = all_of<OdometryFrame>(played.frames);
   EXPECT_EQ(odometry.front()->odometry.stamp, milliseconds(10300));  // 10.23 to 11.23 s
   EXPECT_EQ(odometry.back()->odometry.stamp, milliseconds(11200));
@@ -191,14 +191,14 @@ TEST(TwinReplay, HasTheLogsStampsAndPosesWithTheTwinsData) {
     if (const auto* scan = std::get_if<ScanFrame>(&replay[i].data)) {
       const auto& in_log = std::get<ScanFrame>(played.frames[i].data);
       EXPECT_EQ(scan->scan.stamp, in_log.scan.stamp);
-      EXPECT_EQ(scan->T_map_base_true, in_log.T_map_base_true);
+      EXPECT_EQ(scan->true_pose->T_map_base, in_log.true_pose->T_map_base);
       EXPECT_EQ(scan->scan.ranges, (std::vector<float>{4.0F, 5.0F, 6.0F}));
       EXPECT_EQ(scan->scan.angle_increment, in_log.scan.angle_increment);
     } else {
       const auto& odometry = std::get<OdometryFrame>(replay[i].data);
       const auto& in_log = std::get<OdometryFrame>(played.frames[i].data);
       EXPECT_EQ(odometry.odometry.stamp, in_log.odometry.stamp);
-      EXPECT_EQ(odometry.T_map_base_true, in_log.T_map_base_true);
+      EXPECT_EQ(odometry.true_pose->T_map_base, in_log.true_pose->T_map_base);
       // 2 m/s from the first scan, at 10.4 s, to the last, at 11 s.
       const double since =
           std::chrono::duration<double>(replay[i].stamp - milliseconds(10400)).count();
