@@ -23,14 +23,6 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
-[[noreturn]] void refuse(const fs::path& folder, const std::string& why, const char* remedy) {
-  throw std::runtime_error(fmt::format("{}: {}; {}", folder.string(), why, remedy));
-}
-
-constexpr const char* kElsewhere = "choose another folder with --out";
-constexpr const char* kElsewhereOrForce =
-    "choose another folder with --out, or --force to replace only what castaway wrote";
-
 /// The topmost missing folder on the path to `target`; empty if `target` exists.
 fs::path topmost_missing(const fs::path& target) {
   fs::path missing;
@@ -40,14 +32,6 @@ fs::path topmost_missing(const fs::path& target) {
     missing = place;
   }
   return missing;
-}
-
-/// The record of an earlier run; nothing if that run was killed before it wrote anything.
-std::optional<FileRecord> earlier_record(const fs::path& target) {
-  std::optional<FileRecord> record = load_record(target);
-  if (record) record = settle(target, std::move(*record));
-  const bool empty = record && record->files.empty() && record->single_files.empty();
-  return empty && !record->finished ? std::nullopt : record;
 }
 
 void remove_empty_folders(fs::path from, const fs::path& to) {
@@ -78,23 +62,23 @@ void check_output(const OutputRequest& request) {
   const fs::path& target = request.target;
   std::error_code none;
   if (!fs::exists(target, none)) return;
-  if (!fs::is_directory(target, none)) refuse(target, "is not a folder", kElsewhere);
+  if (!fs::is_directory(target, none)) refuse_folder(target, "is not a folder");
   for (const fs::path& input : request.inputs) {
     if (lies_in(input, target)) {
-      refuse(target, fmt::format("holds the input {}", input.string()), kElsewhere);
+      refuse_folder(target, fmt::format("holds the input {}", input.string()));
     }
   }
   const std::optional<FileRecord> record = load_record(target);
   if (fs::exists(target / kStagingName, none) && !record) {
-    refuse(target, fmt::format("holds '{}' without a list of files", kStagingName), kElsewhere);
+    refuse_folder(target, fmt::format("holds '{}' without a list of files", kStagingName));
   }
   if (request.force) return;
   if (const auto foreign = find_foreign(target, record)) {
-    refuse(target,
-           foreign->changed
-               ? fmt::format("'{}' was changed since castaway wrote it", foreign->path)
-               : fmt::format("holds '{}', which castaway did not write", foreign->path),
-           kElsewhereOrForce);
+    throw std::runtime_error(fmt::format(
+        "{}: {}; choose another folder with --out, or --force to replace only what castaway wrote",
+        target.string(),
+        foreign->changed ? fmt::format("'{}' was changed since castaway wrote it", foreign->path)
+                         : fmt::format("holds '{}', which castaway did not write", foreign->path)));
   }
 }
 
@@ -116,61 +100,28 @@ OutputFolder::OutputFolder(OutputRequest request) : request_(std::move(request))
   if (!target.has_filename()) target = target.parent_path();
   check_output(request_);
   made_ = topmost_missing(target);
-  staging_ = target / kStagingName;
   make_folder(target);
-  lock_.emplace(target);
-  record_ = earlier_record(target);
-  clear_leftovers(target);
-  if (!record_) save_record(target, {request_.made_by, request_.settings, false, {}, {}});
-  std::error_code none;
-  fs::remove_all(staging_, none);
-  make_folder(staging_);
+  work_.emplace(target);
+  work_->begin({request_.made_by, request_.settings, false, {}, {}});
 }
 
 OutputFolder::~OutputFolder() {
-  std::error_code none;
-  const fs::path& target = request_.target;
-  fs::remove_all(staging_, none);
-  if (!record_) fs::remove(target / kRecordName, none);
-  if (!made_.empty()) remove_empty_folders(target, made_.parent_path());
-}
-
-void OutputFolder::require_replaceable(const FileHashes& files) const {
-  for (const auto& [path, hash] : files) {
-    if (is_replaceable(request_.target, path, record_)) continue;
-    throw std::runtime_error(fmt::format(
-        "{}: castaway did not write what is there; move it away or choose another --out",
-        (request_.target / path).string()));
-  }
-}
-
-void OutputFolder::move(const FileHashes& files) const {
-  for (const auto& [path, hash] : files) {
-    const fs::path place = request_.target / path;
-    fs::create_directories(place.parent_path());
-    fs::rename(staging_ / path, place);
-  }
+  work_.reset();
+  if (!made_.empty()) remove_empty_folders(request_.target, made_.parent_path());
 }
 
 void OutputFolder::commit(bool complete) {
-  const FileHashes files = hash_files(staging_);
-  require_replaceable(files);
-  FileRecord record{request_.made_by, request_.settings, false, {}, {}};
-  if (record_) {
-    record.files = record_->files;
-    record.single_files = record_->single_files;
-  }
-  record.coming = files;
-  save_record(request_.target, record);
-  const FileRecord earlier = std::exchange(record_, record).value_or(FileRecord{});
+  const FileHashes files = hash_files(folder());
+  work_->require_replaceable(files);
+  FileRecord& record = work_->record();
+  const FileRecord earlier = record;
+  record = {request_.made_by, request_.settings, false, {}, earlier.files, earlier.single_files};
+  work_->save();
   remove_listed(request_.target, earlier);
-  move(files);
-  fs::remove_all(staging_);
-  record.files = std::move(record.coming);
-  record.coming.clear();
+  work_->move_in(files);
+  record.files = files;
   record.finished = complete;
-  save_record(request_.target, record);
-  record_ = record;
+  work_->save();
   committed_ = true;
   if (!request_.keep_list) fs::remove(request_.target / kRecordName);
 }

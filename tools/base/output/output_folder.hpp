@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/base/output/file_record.hpp"
-#include "tools/base/output/folder_lock.hpp"
 #include "tools/base/output/interruption.hpp"
-#include "tools/base/output/listed_files.hpp"
+#include "tools/base/output/work_folder.hpp"
 
 namespace castaway::testbed {
 
@@ -50,22 +48,17 @@ class OutputFolder {
   OutputFolder& operator=(const OutputFolder&) = delete;
 
   /// The folder to write into.
-  [[nodiscard]] const std::filesystem::path& folder() const { return staging_; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return work_->drafts(); }
   /// Moves all files into the target. Throws std::runtime_error, before any change, if a file would
   /// replace one that castaway did not write. `complete`: false if some files could not be made.
   void commit(bool complete = true);
   [[nodiscard]] bool is_committed() const { return committed_; }
 
  private:
-  void require_replaceable(const FileHashes& files) const;
-  void move(const FileHashes& files) const;
-
   Interruptible interruptible_;
   OutputRequest request_;
   std::filesystem::path made_;  ///< The topmost folder that had to be created; empty if none.
-  std::filesystem::path staging_;
-  std::optional<FolderLock> lock_;
-  std::optional<FileRecord> record_;
+  std::optional<WorkFolder> work_;
   bool committed_ = false;
 };
 

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "tools/base/bytes/sha256.hpp"
 #include "tools/base/files/file.hpp"
-#include "tools/base/files/file_error.hpp"
+#include "tools/base/output/listed_files.hpp"
 #include "tools/base/output/listed_path.hpp"
 #include "tools/base/output/make_folder.hpp"
 
@@ -14,8 +12,6 @@ namespace castaway::testbed {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kPatience = 10.0;  // [s] With another process that opens a shared folder.
 
 void check_all(const OutputRequest& request, const std::vector<PlannedRun>& runs) {
   check_output(request);
@@ -54,36 +50,27 @@ RunsFolder::RunsFolder(OutputRequest request, std::vector<PlannedRun> runs, Runs
   check_all(request_, runs_);
   make_folder(request_.target);
   const bool shared = share == RunsShare::kSome;
-  lock_.emplace(request_.target, shared ? kPatience : 0.0);
-  earlier_ = settle(request_.target, load_record(request_.target).value_or(FileRecord{}));
-  clear_leftovers(request_.target);
-  std::error_code none;
-  fs::remove_all(drafts(), none);
-  record_ = earlier_;
-  record_.made_by = request_.made_by;
-  record_.settings = request_.settings;
-  record_.program = program_hash();
-  record_.finished = false;
+  work_.emplace(request_.target, shared ? kPatience : 0.0);
+  FileRecord& record = work_->record();
+  earlier_ = record;
+  record.made_by = request_.made_by;
+  record.settings = request_.settings;
+  record.program = program_hash();
+  record.finished = false;
   const bool same_work =
-      earlier_.finished ? share == RunsShare::kCollect : earlier_.program == record_.program;
+      earlier_.finished ? share == RunsShare::kCollect : earlier_.program == record.program;
   goes_on_ =
-      same_work && earlier_.made_by == record_.made_by && earlier_.settings == record_.settings;
+      same_work && earlier_.made_by == record.made_by && earlier_.settings == record.settings;
   if (goes_on_ && !shared) clear_drafts(request_.target, runs_);
   for (const std::string& folder : folders_of(runs_)) {
-    const auto& known = record_.runs;
-    if (std::find(known.begin(), known.end(), folder) == known.end()) {
-      record_.runs.push_back(folder);
-    }
+    const auto& known = record.runs;
+    if (std::find(known.begin(), known.end(), folder) == known.end()) record.runs.push_back(folder);
   }
-  save_record(request_.target, record_);
-  if (shared) lock_.reset();
+  work_->save();
+  work_->begin(record);
+  if (shared) work_.reset();
   kept_.emplace("finished runs are kept in " + request_.target.string() +
                 "; the same command resumes");
-}
-
-RunsFolder::~RunsFolder() {
-  std::error_code none;
-  if (lock_) fs::remove_all(drafts(), none);
 }
 
 bool RunsFolder::has_run(std::size_t index) const {
@@ -99,44 +86,30 @@ void RunsFolder::put(const std::string& name, std::string_view bytes) {
 
 void RunsFolder::put_by(const std::string& name,
                         const std::function<void(const fs::path& file)>& write) {
-  if (!is_replaceable(request_.target, name, record_)) {
-    throw std::runtime_error(
-        (request_.target / name).string() +
-        ": castaway did not write what is there; move it away or choose another --out");
-  }
-  write(drafts() / name);
-  const std::string hash = hash_file(drafts(), name);
-  record_.coming[name] = hash;
-  save_record(request_.target, record_);
-  std::error_code error;
-  fs::rename(drafts() / name, request_.target / name, error);
-  if (error) {
-    throw FileError(fmt::format("{}: cannot be written ({})", (request_.target / name).string(),
-                                error.message()));
-  }
-  record_.coming.clear();
-  record_.files[name] = hash;
+  work_->require_replaceable({{name, ""}});
+  const std::string hash = work_->put(name, write);
+  work_->record().files[name] = hash;
   earlier_.files.erase(name);
 }
 
 void RunsFolder::finish() {
+  FileRecord& record = work_->record();
   for (const auto& [name, hash] : earlier_.files) {
     if (!is_replaceable(request_.target, name, earlier_)) continue;
     std::error_code none;
     fs::remove(request_.target / name, none);
-    record_.files.erase(name);
+    record.files.erase(name);
   }
   const std::vector<std::string> made = folders_of(runs_);
-  for (const std::string& run : record_.runs) {
+  for (const std::string& run : record.runs) {
     if (std::find(made.begin(), made.end(), run) != made.end()) continue;
     if (is_folder_below(request_.target, run)) remove_output(request_.target / run);
   }
-  fs::remove_all(drafts());
-  record_.runs = made;
-  record_.program.clear();
-  record_.finished = true;
-  save_record(request_.target, record_);
-  lock_.reset();
+  record.runs = made;
+  record.program.clear();
+  record.finished = true;
+  work_->save();
+  work_.reset();
   kept_.reset();
   kept_.emplace("all runs are finished, in " + request_.target.string());
 }

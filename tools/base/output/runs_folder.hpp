@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/base/output/folder_lock.hpp"
 #include "tools/base/output/output_folder.hpp"
 
 namespace castaway::testbed {
@@ -32,11 +31,6 @@ class RunsFolder {
   /// Throws as `check_output` (also for the folders of the runs) and FolderLock do, and FileError.
   RunsFolder(OutputRequest request, std::vector<PlannedRun> runs,
              RunsShare share = RunsShare::kAll);
-  /// Removes the drafts.
-  ~RunsFolder();
-  RunsFolder(const RunsFolder&) = delete;
-  RunsFolder& operator=(const RunsFolder&) = delete;
-
   [[nodiscard]] const std::filesystem::path& path() const { return request_.target; }
   /// The planned runs.
   [[nodiscard]] const std::vector<PlannedRun>& runs() const { return runs_; }
@@ -53,14 +47,11 @@ class RunsFolder {
   void finish();
 
  private:
-  [[nodiscard]] std::filesystem::path drafts() const { return request_.target / kStagingName; }
-
   Interruptible interruptible_;
   OutputRequest request_;
   std::vector<PlannedRun> runs_;
-  std::optional<FolderLock> lock_;
+  std::optional<WorkFolder> work_;
   FileRecord earlier_;
-  FileRecord record_;
   bool goes_on_ = false;
   std::optional<KeptWork> kept_;
 };

@@ -1,8 +1,6 @@
 #include "tools/batch/dataset/dataset_folder.hpp"
 
 #include <algorithm>
-#include <optional>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -16,12 +14,10 @@
 #include "tools/base/files/file.hpp"
 #include "tools/base/files/file_error.hpp"
 #include "tools/base/files/json_text.hpp"
-#include "tools/base/formats/json_file.hpp"
-#include "tools/base/output/file_record.hpp"
-#include "tools/base/output/listed_files.hpp"
 #include "tools/base/output/listed_path.hpp"
 #include "tools/base/output/make_folder.hpp"
 #include "tools/batch/dataset/dataset_manifest.hpp"
+#include "tools/batch/jobs/job_folder.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -33,11 +29,6 @@ std::string identity_text(const DatasetIdentity& identity) {
   const Json root{
       {"castaway", identity.version}, {"seed", identity.seed}, {"sequences", identity.sequences}};
   return json_text(root, 1) + "\n";
-}
-
-[[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
-  throw std::runtime_error(
-      fmt::format("{}: {}; choose another folder with --out", folder.string(), why));
 }
 
 /// Describes the first line in which two texts differ.
@@ -61,24 +52,6 @@ std::string first_difference(const std::string& there, const std::string& here) 
 
 constexpr const char* kMadeBy = "dataset";
 constexpr const char* kWork = ".work";  // Folder of drafts; that of a shard begins so.
-constexpr double kLockTimeout = 10.0;   // [s]
-
-/// A folder without a data set may hold only what an unfinished attempt of castaway left there.
-void check_unused(const fs::path& folder) {
-  const std::optional<FileRecord> record = load_record(folder);
-  std::set<std::string> own;
-  if (record && record->made_by == kMadeBy) {
-    own.insert("sequences");
-    if (is_replaceable(folder, "dataset.yaml", record)) own.insert("dataset.yaml");
-  }
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder, none)) {
-    const std::string name = entry.path().filename().string();
-    const bool draft = record && record->made_by == kMadeBy && name.starts_with(kWork);
-    if (own.contains(name) || draft || is_bookkeeping(name)) continue;
-    refuse(folder, fmt::format("holds '{}' and no data set", name));
-  }
-}
 
 /// The card and the tables of a finished data set that are there. Throws std::runtime_error unless
 /// they are still ours.
@@ -86,14 +59,14 @@ std::vector<std::string> unchanged_tables(const fs::path& folder) {
   const std::vector<ManifestFile> listed = read_manifest(folder / "manifest.json");
   const fs::path sums = folder / "SHA256SUMS";
   if (fs::exists(sums) && read_file(sums) != sums_text(listed)) {
-    refuse(folder, "'SHA256SUMS' was changed since castaway wrote it");
+    refuse_folder(folder, "'SHA256SUMS' was changed since castaway wrote it");
   }
   std::vector<std::string> tables{"SHA256SUMS"};
   for (const ManifestFile& file : listed) {
     if (file.path.starts_with("sequences/") || !fs::exists(folder / file.path)) continue;
     require_no_link(folder, file.path);
     if (sha256_of_file(folder / file.path) != file.sha256) {
-      refuse(folder, fmt::format("'{}' was changed since castaway wrote it", file.path));
+      refuse_folder(folder, fmt::format("'{}' was changed since castaway wrote it", file.path));
     }
     tables.push_back(file.path);
   }
@@ -110,74 +83,57 @@ void clear_tables(const fs::path& folder) {
   for (const std::string& path : tables) fs::remove(folder / path, none);
 }
 
-/// Throws std::runtime_error if a place of the folder is a link.
-void require_own_places(const fs::path& folder) {
-  for (const char* place :
-       {"dataset.json", "dataset.yaml", "manifest.json", "SHA256SUMS", "sequences"}) {
-    require_no_link(folder, place);
+/// What differs between the data set of a folder and another one.
+std::string dataset_difference(const fs::path& folder, const Json& there,
+                               const DatasetIdentity& identity) {
+  const auto seed = integer_or(there, "seed", std::uint64_t{0});
+  if (seed != identity.seed) {
+    return fmt::format("was made with seed {}, not {}", seed, identity.seed);
   }
+  const std::string spec = read_file(folder / "dataset.yaml");
+  if (spec != identity.spec) {
+    return "was made from another specification: " + first_difference(spec, identity.spec);
+  }
+  const int sequences = integer_or(there, "sequences", 0);
+  if (sequences <= identity.sequences) return "";
+  return fmt::format("has {} sequences, more than {}", sequences, identity.sequences);
 }
 
 }  // namespace
 
 void check_identity(const fs::path& folder, const DatasetIdentity& identity) {
-  std::error_code none;
-  if (fs::exists(folder, none) && !fs::is_directory(folder, none)) refuse(folder, "is no folder");
-  if (!fs::exists(folder / "dataset.json", none)) return check_unused(folder);
-  const std::string text = read_file(folder / "dataset.json");
-  const Json root = nests_too_deep(text) ? Json() : Json::parse(text, nullptr, false);
-  if (!root.is_object()) refuse(folder, "its dataset.json cannot be read");
-  const auto version = root.value("castaway", std::string());
-  if (version != identity.version) {
-    refuse(folder, fmt::format("was made by castaway {}, this is {}", version, identity.version));
+  for (const char* place : {"manifest.json", "SHA256SUMS", "sequences"}) {
+    require_no_link(folder, place);
   }
-  const auto seed = integer_or(root, "seed", std::uint64_t{0});
-  if (seed != identity.seed) {
-    refuse(folder, fmt::format("was made with seed {}, not {}", seed, identity.seed));
-  }
-  const std::string spec = read_file(folder / "dataset.yaml");
-  if (spec != identity.spec) {
-    refuse(folder, "was made from another specification: " + first_difference(spec, identity.spec));
-  }
-  const int sequences = integer_or(root, "sequences", 0);
-  if (sequences > identity.sequences) {
-    refuse(folder, fmt::format("has {} sequences, more than {}", sequences, identity.sequences));
-  }
+  check_folder(folder, {kMadeBy, "data set", identity.version, [&](const Json& there) {
+                          return dataset_difference(folder, there, identity);
+                        }});
 }
 
 DatasetFolder::DatasetFolder(fs::path folder, const DatasetIdentity& identity, Shard shard)
     : folder_(std::move(folder)), shard_(shard) {
   if (!folder_.has_filename()) folder_ = folder_.parent_path();
-  require_own_places(folder_);
   check_identity(folder_, identity);
   make_folder(folder_);
-  lock_.emplace(folder_, kLockTimeout);
-  if (shard_.is_all()) clear_work_of_shards();
+  whole_.emplace(folder_, kPatience);
   begin(identity);
-  if (shard_.is_all()) return;
-  fs::create_directories(work());
-  lock_.emplace(work());  // Other shards go on.
+  if (!shard_.is_all()) whole_.reset();  // Other shards go on.
 }
 
-void DatasetFolder::begin(const DatasetIdentity& identity) const {
+void DatasetFolder::begin(const DatasetIdentity& identity) {
   const bool begun = fs::exists(folder_ / "dataset.json");
   if (!begun) {
-    save_record(folder_, {kMadeBy, {}, false, {}, {{"dataset.yaml", sha256(identity.spec)}}});
+    whole_->record() = {kMadeBy, {}, false, {}, {{"dataset.yaml", sha256(identity.spec)}}};
+    whole_->save();
   }
-  clear_leftovers(folder_);
-  if (shard_.is_all() || !fs::exists(work())) {
-    clear_work();
-  } else {
-    const FolderLock own(work());
-    clear_work();
-  }
-  fs::create_directories(folder_ / "sequences");
+  clear_drafts();
   const std::string text = identity_text(identity);
   if (!begun || read_file(folder_ / "dataset.json") != text) {
     clear_tables(folder_);
     put("dataset.yaml", identity.spec);
     put("dataset.json", text);
   }
+  fs::create_directories(folder_ / "sequences");
   std::error_code none;  // From here on, dataset.json says whose folder it is.
   fs::remove(folder_ / kRecordName, none);
 }
@@ -187,7 +143,15 @@ fs::path DatasetFolder::work() const {
          (shard_.is_all() ? kWork : fmt::format("{}-{}-of-{}", kWork, shard_.index, shard_.count));
 }
 
-void DatasetFolder::clear_work_of_shards() const {
+void DatasetFolder::clear_drafts() {
+  if (!shard_.is_all()) {
+    require_no_link(folder_, work().filename());
+    fs::create_directories(work());
+    share_.emplace(work());
+    for (const auto& entry : fs::directory_iterator(work())) fs::remove_all(entry);
+    return;
+  }
+  clear_work();
   for (const auto& entry : fs::directory_iterator(folder_)) {
     if (!entry.path().filename().string().starts_with(std::string(kWork) + "-")) continue;
     const FolderLock none_works_there(entry.path());

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "tools/base/output/folder_lock.hpp"
 #include "tools/base/output/interruption.hpp"
+#include "tools/base/output/work_folder.hpp"
 #include "tools/batch/jobs/shard.hpp"
 
 namespace castaway::testbed {
@@ -58,13 +58,14 @@ class DatasetFolder {
 
  private:
   [[nodiscard]] std::filesystem::path work() const;
-  void clear_work_of_shards() const;
-  void begin(const DatasetIdentity& identity) const;
+  void clear_drafts();
+  void begin(const DatasetIdentity& identity);
 
   Interruptible interruptible_;
   std::filesystem::path folder_;
   Shard shard_;
-  std::optional<FolderLock> lock_;
+  std::optional<WorkFolder> whole_;  ///< Nothing in a shard.
+  std::optional<FolderLock> share_;  ///< A shard's drafts.
 };
 
 }  // namespace castaway::testbed

@@ -20,6 +20,7 @@
 #include "tools/batch/dataset/dataset_finish.hpp"
 #include "tools/batch/dataset/dataset_folder.hpp"
 #include "tools/batch/dataset/dataset_sequence.hpp"
+#include "tools/batch/jobs/job_folder.hpp"
 #include "tools/play/progress.hpp"
 
 namespace castaway::testbed {
@@ -192,19 +193,13 @@ DatasetIdentity identity_of(const DatasetSpec& spec, const DatasetRequest& reque
   return {CASTAWAY_VERSION, spec.seed, request.sequences, spec.effective};
 }
 
-void require_begun(const std::filesystem::path& folder) {
-  if (std::filesystem::exists(folder / "dataset.json")) return;
-  throw std::runtime_error(folder.string() +
-                           ": is no folder of a data set: it has no dataset.json");
-}
-
 }  // namespace
 
 int make_dataset(const DatasetRequest& request) {
   const DatasetSpec spec = load_dataset_spec(request.spec, request.overrides);
   const DatasetIdentity identity = identity_of(spec, request);
   check_identity(request.out, identity);
-  if (request.collect) require_begun(request.out);
+  if (request.collect) require_job_folder(request.out, "dataset");
   std::optional<KeptWork> kept;
   if (std::filesystem::exists(request.out / "dataset.json")) {
     kept.emplace("finished sequences are kept in " + request.out.string() +
@@ -240,7 +235,7 @@ int make_dataset_on_slurm(const DatasetRequest& request, const ClusterRequest& c
   const DatasetSpec spec = load_dataset_spec(request.spec, request.overrides);
   const DatasetIdentity identity = identity_of(spec, request);
   check_identity(request.out, identity);
-  if (cluster.attach) require_begun(request.out);
+  if (cluster.attach) require_job_folder(request.out, "dataset");
   static_cast<void>(DatasetFolder(request.out, identity));
   const auto missing = [&] {
     std::vector<int> found = jobs_up_to(request.sequences);

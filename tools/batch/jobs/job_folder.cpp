@@ -1,5 +1,6 @@
 #include "tools/batch/jobs/job_folder.hpp"
 
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "tools/base/files/file.hpp"
 #include "tools/base/files/json_text.hpp"
 #include "tools/base/formats/json_file.hpp"
+#include "tools/base/output/file_record.hpp"
 #include "tools/base/output/listed_files.hpp"
 #include "tools/base/output/listed_path.hpp"
 #include "tools/base/output/make_folder.hpp"
@@ -25,11 +27,6 @@ using Json = nlohmann::ordered_json;
 std::string marker_of(const std::string& kind) { return kind + ".json"; }
 std::string specification_of(const std::string& kind) { return kind + ".yaml"; }
 
-[[noreturn]] void refuse_folder(const fs::path& folder, const std::string& why) {
-  throw std::runtime_error(
-      fmt::format("{}: {}; choose another folder with --out", folder.string(), why));
-}
-
 Json identity_json(const JobIdentity& identity) {
   return {{"castaway", identity.version},
           {"kind", identity.kind},
@@ -39,47 +36,35 @@ Json identity_json(const JobIdentity& identity) {
 }
 
 /// What differs between the batch of a folder and another one.
-std::string difference_of(const Json& there, const Json& here) {
-  if (there.value("castaway", "") != here.at("castaway")) {
-    return fmt::format("was made by castaway {}, this is {}", there.value("castaway", "?"),
-                       here.at("castaway").get<std::string>());
-  }
-  if (there.value("program", "") != here.at("program")) return "was made by another build";
+std::string job_difference(const Json& there, const JobIdentity& identity) {
+  const Json here = identity_json(identity);
+  if (there == here) return "";
+  if (there.value("program", "") != identity.program) return "was made by another build";
   if (there.value("spec", "") != here.at("spec")) {
-    return "was made from another specification, its " +
-           specification_of(here.at("kind").get<std::string>());
+    return "was made from another specification, its " + specification_of(identity.kind);
   }
   return "was made with other worlds, robots or logs: their files have changed since";
 }
 
-void check_marker(const fs::path& folder, const JobIdentity& identity) {
-  const Json here = identity_json(identity);
-  const Json there = read_json(folder / marker_of(identity.kind));
-  if (!there.is_object() || there.value("kind", "") != identity.kind) {
-    refuse_folder(folder, fmt::format("its {} is not castaway's", marker_of(identity.kind)));
-  }
-  if (there != here) refuse_folder(folder, difference_of(there, here));
+/// Throws std::runtime_error if the specification was changed since the marker was written.
+void require_specification(const fs::path& folder, const JobIdentity& identity) {
   const fs::path file = folder / specification_of(identity.kind);
   std::error_code none;
-  if (fs::exists(file, none) && read_file(file) != identity.spec) {
-    throw std::runtime_error(
-        file.string() + ": was changed since castaway wrote it; remove it, and it is made anew");
-  }
+  if (!fs::exists(file, none) || read_file(file) == identity.spec) return;
+  throw std::runtime_error(file.string() +
+                           ": was changed since castaway wrote it; remove it, and it is made anew");
 }
 
-void check_same_batch(const fs::path& folder, const JobIdentity& identity) {
+/// A folder without a marker may hold only what an unfinished beginning left there.
+void check_unused(const fs::path& folder, const FolderMark& mark) {
+  std::optional<FileRecord> record = load_record(folder);
+  if (record && record->made_by != mark.kind) record.reset();
   std::error_code none;
-  for (const auto& name : {marker_of(identity.kind), specification_of(identity.kind)}) {
-    require_no_link(folder, name);
-  }
-  if (fs::exists(folder, none) && !fs::is_directory(folder, none)) {
-    refuse_folder(folder, "is no folder");
-  }
-  if (fs::exists(folder / marker_of(identity.kind), none)) return check_marker(folder, identity);
   for (const auto& entry : fs::directory_iterator(folder, none)) {
     const std::string name = entry.path().filename().string();
-    if (is_bookkeeping(name)) continue;
-    refuse_folder(folder, fmt::format("holds '{}' and no {}", name, identity.kind));
+    const bool own = record && (name.starts_with(".work") || is_replaceable(folder, name, record));
+    if (own || is_bookkeeping(name)) continue;
+    refuse_folder(folder, fmt::format("holds '{}' and no {}", name, mark.name));
   }
 }
 
@@ -89,8 +74,31 @@ JobIdentity identity_of_this_program(std::string kind, std::string data, std::st
   return {std::move(kind), CASTAWAY_VERSION, program_hash(), std::move(data), std::move(spec)};
 }
 
+void check_folder(const fs::path& folder, const FolderMark& mark) {
+  for (const auto& name : {marker_of(mark.kind), specification_of(mark.kind)}) {
+    require_no_link(folder, name);
+  }
+  std::error_code none;
+  if (fs::exists(folder, none) && !fs::is_directory(folder, none)) {
+    refuse_folder(folder, "is no folder");
+  }
+  const std::string marker = marker_of(mark.kind);
+  if (!fs::exists(folder / marker, none)) return check_unused(folder, mark);
+  const std::string text = read_file(folder / marker);
+  const Json there = nests_too_deep(text) ? Json() : Json::parse(text, nullptr, false);
+  const std::string version = there.is_object() ? there.value("castaway", "") : "";
+  if (version.empty()) refuse_folder(folder, fmt::format("its {} is not castaway's", marker));
+  const std::string difference =
+      version == mark.version
+          ? mark.difference(there)
+          : fmt::format("was made by castaway {}, this is {}", version, mark.version);
+  if (!difference.empty()) refuse_folder(folder, difference);
+}
+
 JobFolder::JobFolder(fs::path folder, const JobIdentity& identity) : folder_(std::move(folder)) {
-  check_same_batch(folder_, identity);
+  check_folder(folder_, {identity.kind, identity.kind, identity.version,
+                         [&](const Json& there) { return job_difference(there, identity); }});
+  require_specification(folder_, identity);
   make_folder(folder_);
   // The marker comes first: whatever follows is the batch's.
   const std::string marker = marker_of(identity.kind);

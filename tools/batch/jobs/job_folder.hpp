@@ -5,6 +5,8 @@
 #include <functional>
 #include <string>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace castaway::testbed {
 
 /// What a batch is made from. It never changes within one folder.
@@ -15,6 +17,19 @@ struct JobIdentity {
   std::string data;     ///< Hash of the worlds, robots and logs that it reads.
   std::string spec;     ///< What is asked for, as YAML.
 };
+
+/// The files <kind>.json and <kind>.yaml say whose a folder is.
+struct FolderMark {
+  std::string kind;     ///< "dataset"
+  std::string name;     ///< In words: "data set".
+  std::string version;  ///< Of the program.
+  /// What else differs from the <kind>.json that is there, as the end of a sentence; empty:
+  /// nothing.
+  std::function<std::string(const nlohmann::ordered_json& there)> difference;
+};
+
+/// Throws std::runtime_error with one line if the folder is none, holds other files, or differs.
+void check_folder(const std::filesystem::path& folder, const FolderMark& mark);
 
 /// The identity of a batch of this program.
 JobIdentity identity_of_this_program(std::string kind, std::string data, std::string spec);

@@ -1,4 +1,4 @@
-#include "tools/base/output/folder_lock.hpp"
+#include "tools/base/files/folder_lock.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
