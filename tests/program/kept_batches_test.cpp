@@ -176,5 +176,43 @@ TEST(SharedSeeds, RunOnSlurm) {
   EXPECT_TRUE(fs::exists(folder / "r.slurm/slurm.json"));
 }
 
+const std::string kExperiment = "experiment 2 --quick --seeds 2 ";
+
+void expect_same_experiment(const fs::path& a, const fs::path& b) {
+  for (const char* file : {"summary.json", "runs.csv"}) {
+    EXPECT_FALSE(text_of(a / file).empty()) << file;
+    EXPECT_EQ(text_of(a / file), text_of(b / file)) << file;
+  }
+}
+
+TEST(SharedExperiments, AreSummedUpWhenAllShardsAreDone) {
+  const fs::path folder = fresh_folder();
+  ASSERT_EQ(castaway(folder, kExperiment + "--out one -j 2").exit_code, 0);
+  const Outcome first = castaway(folder, kExperiment + "--out e --shard 1/2");
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  expect_contains(first.out, "Shard 1 of 2: ");
+  EXPECT_FALSE(fs::exists(folder / "e/summary.json"));
+  const Outcome early = castaway(folder, kExperiment + "--out e --collect");
+  EXPECT_NE(early.exit_code, 0);
+  expect_contains(early.err, "e: runs are missing: ");
+  ASSERT_EQ(castaway(folder, kExperiment + "--out e --shard 2/2").exit_code, 0);
+  const Outcome whole = castaway(folder, kExperiment + "--out e --collect");
+  ASSERT_EQ(whole.exit_code, 0) << whole.err;
+  expect_same_experiment(folder / "one", folder / "e");
+  expect_refused(castaway(folder, kExperiment + "--shard 1/2"), {"--shard", "--out DIR"});
+}
+
+TEST(SharedExperiments, RunOnSlurm) {
+  const fs::path folder = fresh_folder();
+  put_slurm(folder);
+  ASSERT_EQ(castaway(folder, kExperiment + "--out one -j 2").exit_code, 0);
+  write(folder / "bin/lose", "");
+  const Outcome made = on_slurm(folder, kExperiment + "--out e --slurm --array-size 2");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  expect_contains(made.err, "shards 2 of 2 ended with runs missing; submitted again");
+  expect_same_experiment(folder / "one", folder / "e");
+  EXPECT_TRUE(fs::exists(folder / "e.slurm/slurm.json"));
+}
+
 }  // namespace
 }  // namespace castaway::test

@@ -56,10 +56,7 @@ int dataset(DatasetArguments arguments, bool seeded) {
   batch.check();
   DatasetRequest& request = arguments.request;
   request.spec = arguments.spec;
-  request.out = batch.out;
-  request.workers = batch.request.workers;
-  request.shard = batch.request.shard;
-  request.collect = batch.request.collect;
+  request.batch = batch.request;
   request.pages = dataset_pages;
   request.report = write_report;
   if (seeded) request.overrides.seed = arguments.seed;

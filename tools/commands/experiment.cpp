@@ -19,6 +19,7 @@
 #include "tools/batch/compare/experiment_summary.hpp"
 #include "tools/batch/compare/experiment_table.hpp"
 #include "tools/batch/seeds/play_runs.hpp"
+#include "tools/commands/arguments/batch_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/pages/run/experiment_page.hpp"
 #include "tools/pages/run/report.hpp"
@@ -37,8 +38,7 @@ struct ExperimentArguments {
   int number = 1;
   int repeats = 1;
   bool quick = false;
-  int workers = 1;
-  std::string out;
+  BatchArguments batch;
   std::string junit;
   bool force = false;
   std::vector<std::string> localizers;  ///< Besides those of the experiment.
@@ -73,30 +73,34 @@ int play_run(const ExperimentRun& run, const RunsFolder& folder, bool force, Sha
   return play(load(run), options);
 }
 
-/// The experiment's folder, with a subfolder for each run.
+/// The experiment's folder, with a subfolder for each run that this process plays or collects.
 RunsFolder open_folder(const ExperimentArguments& arguments,
                        const std::vector<ExperimentRun>& runs) {
+  const BatchRequest& batch = arguments.batch.request;
   std::vector<PlannedRun> planned;
   std::string settings;
-  for (const ExperimentRun& run : runs) {
-    planned.push_back({run.folder, sha256(load(run).effective)});
-    settings += planned.back().settings;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::string hash = sha256(load(runs[i]).effective);
+    settings += hash;
+    if (batch.shard.makes(static_cast<int>(i))) planned.push_back({runs[i].folder, hash});
   }
-  OutputRequest request{arguments.out, "experiment", sha256(settings), {}, arguments.force};
-  if (arguments.out.empty()) {
+  OutputRequest request{batch.out, "experiment", sha256(settings), {}, arguments.force};
+  if (batch.out.empty()) {
     request.target = std::filesystem::path("runs") / fmt::format("experiment-{}", arguments.number);
     request.target = announced_free_runs_folder(request, planned);
   }
   if (!arguments.junit.empty()) require_own_file(arguments.junit);
-  return {std::move(request), std::move(planned)};
+  return {std::move(request), std::move(planned), share_of(batch)};
 }
 
-/// Plays all runs and returns their exit codes. A single run is played in this process, which shows
-/// its progress.
+/// Plays the planned runs and returns their exit codes. An experiment of one run is played in this
+/// process, which shows its progress.
 std::vector<int> play_all(const std::vector<ExperimentRun>& runs, const RunsFolder& folder,
                           const ExperimentArguments& arguments) {
-  if (runs.size() == 1) return {play_run(runs[0], folder, arguments.force, nullptr)};
-  return play_runs(folder, arguments.workers, [&](std::size_t index, SharedWorlds& worlds) {
+  if (runs.size() == 1 && !arguments.batch.is_shared()) {
+    return {play_run(runs[0], folder, arguments.force, nullptr)};
+  }
+  return make_runs(folder, arguments.batch.request, [&](std::size_t index, SharedWorlds& worlds) {
     return play_run(runs[index], folder, arguments.force, &worlds);
   });
 }
@@ -192,13 +196,20 @@ void write_junit(const ExperimentArguments& arguments, const std::vector<Check>&
   write_own_file(arguments.junit, junit_xml(name, cases));
 }
 
-int run_experiment(const ExperimentArguments& arguments) {
+Experiment experiment_of(const ExperimentArguments& arguments) {
   Experiment experiment = paper_experiment(arguments.number, arguments.repeats, arguments.quick);
   add_localizers(arguments.localizers, experiment);
+  return experiment;
+}
+
+int run_experiment(const ExperimentArguments& arguments) {
+  const Experiment experiment = experiment_of(arguments);
   const std::vector<ExperimentRun> runs = runs_of(experiment);
   RunsFolder folder = open_folder(arguments, runs);
   const std::filesystem::path out = folder.path();
   const std::vector<int> codes = play_all(runs, folder, arguments);
+  const Shard& shard = arguments.batch.request.shard;
+  if (!shard.is_all()) return end_shard(shard, codes);
   const PlayedRuns played = outcomes_of(runs, codes, out);
   const std::vector<ExperimentOutcome>& outcomes = played.outcomes;
   if (outcomes.empty()) {
@@ -238,6 +249,18 @@ int run_experiment(const ExperimentArguments& arguments) {
   return outcomes.size() < runs.size() ? static_cast<int>(kRunFailed) : exit_code_of(checks);
 }
 
+int run_experiment_on_slurm(ExperimentArguments arguments) {
+  BatchRequest& batch = arguments.batch.request;
+  std::vector<std::filesystem::path> folders;
+  for (const ExperimentRun& run : runs_of(experiment_of(arguments))) {
+    folders.push_back(batch.out / run.folder);
+  }
+  batch.collect = true;
+  return follow_runs(
+      batch.out, fmt::format("experiment-{}", arguments.number), folders,
+      [&] { return run_experiment(arguments); }, arguments.batch.cluster);
+}
+
 }  // namespace
 
 void add_experiment_command(Command& app) {
@@ -253,8 +276,11 @@ void add_experiment_command(Command& app) {
                   "repeat for several")
       .repeatable();
   command.add_flag("--quick", a->quick, "A version of a few seconds, to see that it works");
-  command.add_option("-j,--jobs", a->workers, "Runs at a time").range(1, 1024).show_default();
-  command.add_option("--out", a->out, "Folder (default: runs/experiment-<number>)");
+  command.add_option("-j,--jobs", a->batch.request.workers, "Runs at a time")
+      .range(1, 1024)
+      .show_default();
+  command.add_option("--out", a->batch.out, "Folder (default: runs/experiment-<number>)");
+  add_sharing_options(command, a->batch, "runs");
   command.add_option("--junit", a->junit, "Write the expectations as JUnit XML");
   command.add_flag("--force", a->force,
                    "Use a folder that holds other files, too; replaces only castaway's own");
@@ -268,7 +294,11 @@ void add_experiment_command(Command& app) {
       "  castaway experiment 2 --seeds 10 -j 4\n"
       "  castaway experiment 2 --localizer \"program:python3 mine.py\"\n"
       "  castaway experiment 3 --out /tmp/an-hour");
-  command.action([a] { return run_experiment(*a); });
+  command.action([a] {
+    a->batch.check();
+    const ClusterRequest& cluster = a->batch.cluster;
+    return cluster.slurm || cluster.attach ? run_experiment_on_slurm(*a) : run_experiment(*a);
+  });
 }
 
 }  // namespace castaway::testbed

@@ -132,10 +132,7 @@ int run_many(RunArguments arguments) {
       load_scenario(request.scenario, request.overrides, file_programs(arguments.allow_programs))
           .scenario;
   request.seeds = parse_seeds(arguments.seeds, scenario.seed);
-  request.workers = arguments.batch.request.workers;
-  request.shard = arguments.batch.request.shard;
-  request.collect = arguments.batch.request.collect;
-  request.out = arguments.batch.out;
+  request.batch = arguments.batch.request;
   request.label = arguments.scenario.label();
   request.expectations = expectations_of(arguments, scenario);
   request.junit = arguments.junit;

@@ -189,17 +189,15 @@ int make_campaign_on_slurm(const CampaignRequest& request, const ClusterRequest&
   if (cluster.attach) require_job_folder(request.batch.out, "campaign");
   const JobFolder folder(request.batch.out, identity_of(campaign));
   const CampaignSpec& spec = campaign.spec;
-  const auto unfinished = [&](int shards) {
+  const auto missing = [&] {
     CellRows rows(folder.path(), spec.cells());
-    std::vector<int> missing;
-    for (const int cell : missing_cells(spec, rows, static_cast<std::size_t>(spec.cells()))) {
-      missing.push_back(shared_index(spec, cell));
-    }
-    return shards_of(missing, shards);
+    std::vector<int> found = missing_cells(spec, rows, static_cast<std::size_t>(spec.cells()));
+    for (int& cell : found) cell = shared_index(spec, cell);
+    return found;
   };
   const auto done = [&] { return RowIndex(folder.path(), spec.cells()).jobs().size(); };
-  return follow_on_cluster({folder.path(), spec.name, "cells", spec.cells(), done, unfinished,
-                            [&] { return collect_campaign(request); }},
+  return follow_on_cluster({folder.path(), spec.name, "cells", spec.cells(), missing,
+                            [&] { return collect_campaign(request); }, done},
                            cluster);
 }
 

@@ -21,6 +21,7 @@
 #include "tools/base/output/progress_line.hpp"
 #include "tools/base/output/say.hpp"
 #include "tools/batch/cluster/repeated_command.hpp"
+#include "tools/batch/jobs/shard.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -98,8 +99,10 @@ class QueueLine {
 
   [[nodiscard]] bool is_shown() const { return terminal_; }
   static void show(const SlurmBatch& batch, const JobTasks& tasks) {
-    show_progress(fmt::format("{} / {} {}; {} tasks run, {} wait", batch.done(), batch.all,
-                              batch.unit, tasks.running, tasks.waiting));
+    const std::size_t done =
+        batch.done ? batch.done() : static_cast<std::size_t>(batch.all) - batch.missing().size();
+    show_progress(fmt::format("{} / {} {}; {} tasks run, {} wait", done, batch.all, batch.unit,
+                              tasks.running, tasks.waiting));
   }
 
  private:
@@ -128,7 +131,7 @@ void wait_for(const std::string& job, const SlurmBatch& batch) {
 void follow(const SlurmBatch& batch, SubmittedJobs& jobs) {
   wait_for(jobs.array, batch);
   while (jobs.tries < kMostTries) {
-    const std::vector<int> shards = batch.unfinished(jobs.tasks);
+    const std::vector<int> shards = shards_of(batch.missing(), jobs.tasks);
     if (shards.empty()) break;
     say(fmt::format("shards {} of {} ended with {} missing; submitted again",
                     fmt::join(shards, ", "), jobs.tasks, batch.unit));

@@ -15,12 +15,12 @@ namespace castaway::testbed {
 struct SlurmBatch {
   /// Of the scripts and the jobs' logs. It must be on a file system that all nodes share.
   std::filesystem::path folder;
-  std::string name;                                        ///< Of the job.
-  std::string unit;                                        ///< Plural of what is made: "cells".
-  int all = 0;                                             ///< How many, at most.
-  std::function<std::size_t()> done;                       ///< How many there are.
-  std::function<std::vector<int>(int shards)> unfinished;  ///< Shards that lack some, from 1 on.
-  std::function<int()> collect;  ///< Makes the results; returns the exit code.
+  std::string name;                           ///< Of the job.
+  std::string unit;                           ///< Plural of what is made: "cells".
+  int all = 0;                                ///< How many, at most.
+  std::function<std::vector<int>()> missing;  ///< Those that are missing, as they are shared.
+  std::function<int()> collect;               ///< Makes the results; returns the exit code.
+  std::function<std::size_t()> done{};        ///< How many there are; empty: all but the missing.
 };
 
 /// What the user asks of a cluster.

@@ -13,10 +13,11 @@ int make_only(const DatasetRequest& request, int index) {
   const DatasetSpec spec = load_dataset_spec(request.spec, request.overrides);
   const SampledSequence sequence = sample_sequence(spec, index);
   std::error_code none;
-  if (std::filesystem::exists(request.out, none) && !std::filesystem::is_empty(request.out, none)) {
-    throw std::runtime_error(request.out.string() + ": is not empty; choose another --out");
+  if (std::filesystem::exists(request.batch.out, none) &&
+      !std::filesystem::is_empty(request.batch.out, none)) {
+    throw std::runtime_error(request.batch.out.string() + ": is not empty; choose another --out");
   }
-  OutputFolder output({request.out, "dataset --only", {}, {request.spec}, false, false});
+  OutputFolder output({request.batch.out, "dataset --only", {}, {request.spec}, false, false});
   DatasetWorlds worlds(spec.base);
   worlds.check(sequence.loaded.scenario);
   worlds.request_scores(sequence.loaded.scenario);
@@ -30,7 +31,7 @@ int make_only(const DatasetRequest& request, int index) {
     say(error.what());
     return kRunFailed;
   }
-  print_out("Sequence {} of {}: {}\n", index, spec.name, request.out.string());
+  print_out("Sequence {} of {}: {}\n", index, spec.name, request.batch.out.string());
   return kDone;
 }
 

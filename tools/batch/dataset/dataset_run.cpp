@@ -53,7 +53,7 @@ std::vector<int> missing_sequences(const DatasetFolder& folder, int count) {
 /// Those of the missing ones that this process makes.
 std::vector<int> sequences_to_make(const DatasetFolder& folder, const DatasetRequest& request) {
   std::vector<int> own = missing_sequences(folder, request.sequences);
-  std::erase_if(own, [&](int i) { return request.collect || !request.shard.makes(i); });
+  std::erase_if(own, [&](int i) { return request.batch.collect || !request.batch.shard.makes(i); });
   return own;
 }
 
@@ -108,7 +108,7 @@ Pass make_sequences(const DatasetSpec& spec, const DatasetWorlds& worlds,
   outcomes.stopped = [&] { return !pass.disk_error.empty(); };
   PartsOfSequences parts{request.report};  // Each worker fills its own.
   const auto work = [&](int index) { return make_one(spec, worlds, folder, parts, index); };
-  work_through(missing, request.workers, work, outcomes);
+  work_through(missing, request.batch.workers, work, outcomes);
   return pass;
 }
 
@@ -118,8 +118,8 @@ int incomplete(const DatasetFolder& folder, const DatasetRequest& request, const
   say(fmt::format("{}: {} of {} sequences are finished; {}",
                   pass.disk_error.empty() ? folder.path().string() : pass.disk_error,
                   static_cast<std::size_t>(request.sequences) - missing, request.sequences,
-                  request.collect ? "run the shards of the rest again"
-                                  : "the same command resumes with the rest"));
+                  request.batch.collect ? "run the shards of the rest again"
+                                        : "the same command resumes with the rest"));
   return kRunFailed;
 }
 
@@ -128,7 +128,7 @@ int end_shard(const DatasetFolder& folder, const DatasetRequest& request, const 
   print_out(
       "Shard {} of {}: {} sequences made; the same command with --collect in place of --shard "
       "finishes the data set when all are done\n",
-      request.shard.index, request.shard.count, pass.made);
+      request.batch.shard.index, request.batch.shard.count, pass.made);
   return kDone;
 }
 
@@ -167,19 +167,19 @@ int make_in(const DatasetFolder& folder, const DatasetSpec& spec, DatasetWorlds&
   const std::vector<int> missing = sequences_to_make(folder, request);
   for (const int index : missing)
     worlds.request_scores(sample_sequence(spec, index).loaded.scenario);
-  worlds.compute_scores(request.workers);
+  worlds.compute_scores(request.batch.workers);
   const std::chrono::nanoseconds begin = wall_time();
   const double cpu_before = workers_cost().cpu_s;
   const Pass pass = make_sequences(spec, worlds, folder, request, missing);
   if (pass.failed > 0) return incomplete(folder, request, pass);
-  if (!request.shard.is_all()) return end_shard(folder, request, pass);
+  if (!request.batch.shard.is_all()) return end_shard(folder, request, pass);
   if (!missing_sequences(folder, request.sequences).empty()) {
     return incomplete(folder, request, pass);
   }
   DatasetInvocation invocation = workers_cost();
   invocation.cpu_s -= cpu_before;
   invocation.made = pass.made;
-  invocation.workers = request.workers;
+  invocation.workers = request.batch.workers;
   invocation.wall_s = seconds(wall_time() - begin);
   const DatasetContents contents =
       load_contents(folder, spec, sequence_names(request.sequences), worlds.maps());
@@ -198,17 +198,17 @@ DatasetIdentity identity_of(const DatasetSpec& spec, const DatasetRequest& reque
 int make_dataset(const DatasetRequest& request) {
   const DatasetSpec spec = load_dataset_spec(request.spec, request.overrides);
   const DatasetIdentity identity = identity_of(spec, request);
-  check_identity(request.out, identity);
-  if (request.collect) require_job_folder(request.out, "dataset");
+  check_identity(request.batch.out, identity);
+  if (request.batch.collect) require_job_folder(request.batch.out, "dataset");
   std::optional<KeptWork> kept;
-  if (std::filesystem::exists(request.out / "dataset.json")) {
-    kept.emplace("finished sequences are kept in " + request.out.string() +
+  if (std::filesystem::exists(request.batch.out / "dataset.json")) {
+    kept.emplace("finished sequences are kept in " + request.batch.out.string() +
                  "; the same command resumes");
   }
   DatasetWorlds worlds(spec.base);
   check_all(spec, request.sequences, worlds);
   try {
-    const DatasetFolder folder(request.out, identity, request.shard);
+    const DatasetFolder folder(request.batch.out, identity, request.batch.shard);
     if (!folder.is_finished()) {
       try {
         return make_in(folder, spec, worlds, request);
@@ -217,7 +217,7 @@ int make_dataset(const DatasetRequest& request) {
       }
     }
     if (!request.json) {
-      print_out("{}: all {} sequences are already finished\n", request.out.string(),
+      print_out("{}: all {} sequences are already finished\n", request.batch.out.string(),
                 request.sequences);
       return kDone;
     }
@@ -234,25 +234,23 @@ int make_dataset(const DatasetRequest& request) {
 int make_dataset_on_slurm(const DatasetRequest& request, const ClusterRequest& cluster) {
   const DatasetSpec spec = load_dataset_spec(request.spec, request.overrides);
   const DatasetIdentity identity = identity_of(spec, request);
-  check_identity(request.out, identity);
-  if (cluster.attach) require_job_folder(request.out, "dataset");
-  static_cast<void>(DatasetFolder(request.out, identity));
+  check_identity(request.batch.out, identity);
+  if (cluster.attach) require_job_folder(request.batch.out, "dataset");
+  static_cast<void>(DatasetFolder(request.batch.out, identity));
   const auto missing = [&] {
     std::vector<int> found = jobs_up_to(request.sequences);
     std::erase_if(found, [&](int i) {
-      return std::filesystem::exists(request.out / "sequences" / sequence_name(i));
+      return std::filesystem::exists(request.batch.out / "sequences" / sequence_name(i));
     });
     return found;
   };
-  const auto unfinished = [&](int shards) { return shards_of(missing(), shards); };
-  const auto done = [&] { return static_cast<std::size_t>(request.sequences) - missing().size(); };
   const auto collect = [&] {
     DatasetRequest collecting = request;
-    collecting.collect = true;
+    collecting.batch.collect = true;
     return make_dataset(collecting);
   };
-  return follow_on_cluster({folder_beside(request.out, ".slurm"), spec.name, "sequences",
-                            request.sequences, done, unfinished, collect},
+  return follow_on_cluster({folder_beside(request.batch.out, ".slurm"), spec.name, "sequences",
+                            request.sequences, missing, collect},
                            cluster);
 }
 

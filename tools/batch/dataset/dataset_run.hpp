@@ -5,7 +5,7 @@
 
 #include "tools/batch/cluster/slurm_batch.hpp"
 #include "tools/batch/dataset/dataset_contents.hpp"
-#include "tools/batch/jobs/shard.hpp"
+#include "tools/batch/jobs/batch_request.hpp"
 #include "tools/play/report_writer.hpp"
 #include "tools/scenario/dataset_yaml.hpp"
 
@@ -16,10 +16,7 @@ struct DatasetRequest {
   std::filesystem::path spec;
   DatasetOverrides overrides;
   int sequences = 1;
-  int workers = 1;
-  std::filesystem::path out;
-  Shard shard{};         ///< Which sequences this process makes.
-  bool collect = false;  ///< Makes none: shards did.
+  BatchRequest batch;
   bool json = false;
   DatasetPages pages;   ///< Beside the sequences.
   ReportWriter report;  ///< Of a sequence's run, where the specification asks for one.

@@ -9,6 +9,7 @@
 #include "tools/base/output/exit_code.hpp"
 #include "tools/base/output/interruption.hpp"
 #include "tools/base/output/say.hpp"
+#include "tools/base/process/worker_pool.hpp"
 #include "tools/batch/jobs/make_rows.hpp"
 #include "tools/batch/jobs/row_line.hpp"
 #include "tools/batch/jobs/rows_file.hpp"
@@ -110,13 +111,11 @@ int KeptTrials::report() const {
   return kDone;
 }
 
-std::vector<int> unfinished_shards(const std::filesystem::path& folder, int jobs, int shards) {
+std::vector<int> jobs_without_row(const std::filesystem::path& folder, int jobs) {
   const RowIndex rows(folder, jobs);
-  std::vector<int> missing;
-  for (int job = 0; job < jobs; ++job) {
-    if (!rows.has(job)) missing.push_back(job);
-  }
-  return shards_of(missing, shards);
+  std::vector<int> missing = jobs_up_to(jobs);
+  std::erase_if(missing, [&](int job) { return rows.has(job); });
+  return missing;
 }
 
 }  // namespace castaway::testbed

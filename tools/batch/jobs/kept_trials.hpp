@@ -45,7 +45,7 @@ class KeptTrials {
   std::vector<int> failed_;   ///< Of those that this process is to make or to collect.
 };
 
-/// The shards, from 1 on, of `shards` that have jobs without a row. `jobs`: of the batch.
-std::vector<int> unfinished_shards(const std::filesystem::path& folder, int jobs, int shards);
+/// Those of `jobs` jobs that have no row in the folder.
+std::vector<int> jobs_without_row(const std::filesystem::path& folder, int jobs);
 
 }  // namespace castaway::testbed

@@ -15,6 +15,8 @@ struct Shard {
   [[nodiscard]] bool is_all() const { return count == 1; }
   /// True if this process makes job `job`, from 0 on.
   [[nodiscard]] bool makes(int job) const { return job % count + 1 == index; }
+  /// The `k`-th job that it makes; both from 0 on.
+  [[nodiscard]] int job(int k) const { return index - 1 + k * count; }
 };
 
 /// The shards, from 1 on, of `count` that make these jobs; ascending.

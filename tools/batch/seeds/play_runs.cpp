@@ -1,8 +1,10 @@
 #include "tools/batch/seeds/play_runs.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "tools/base/output/exit_code.hpp"
 #include "tools/base/output/say.hpp"
@@ -49,6 +51,52 @@ std::vector<int> play_runs(const RunsFolder& folder, int workers, const PlayRun&
     throw;
   }
   return codes;
+}
+
+RunsShare share_of(const BatchRequest& batch) {
+  if (batch.collect) return RunsShare::kCollect;
+  return batch.shard.is_all() ? RunsShare::kAll : RunsShare::kSome;
+}
+
+std::vector<int> make_runs(const RunsFolder& folder, const BatchRequest& batch,
+                           const PlayRun& play_run) {
+  if (!batch.collect) {
+    return play_runs(folder, batch.workers, [&](std::size_t run, SharedWorlds& worlds) {
+      return play_run(static_cast<std::size_t>(batch.shard.job(static_cast<int>(run))), worlds);
+    });
+  }
+  std::vector<std::string> missing;
+  for (std::size_t i = 0; i < folder.runs().size(); ++i) {
+    if (!folder.has_run(i)) missing.push_back(folder.runs()[i].folder);
+  }
+  if (missing.empty()) return std::vector<int>(folder.runs().size(), kDone);
+  throw std::runtime_error(fmt::format("{}: runs are missing: {}; run their shards again",
+                                       folder.path().string(), fmt::join(missing, ", ")));
+}
+
+int end_shard(const Shard& shard, const std::vector<int>& codes) {
+  const auto made = std::count(codes.begin(), codes.end(), kDone);
+  print_out(
+      "Shard {} of {}: {} runs made; the same command with --collect in place of --shard sums up "
+      "when all are done\n",
+      shard.index, shard.count, made);
+  return made == static_cast<std::ptrdiff_t>(codes.size()) ? kDone : kRunFailed;
+}
+
+int follow_runs(const std::filesystem::path& out, const std::string& name,
+                const std::vector<std::filesystem::path>& folders,
+                const std::function<int()>& collect, const ClusterRequest& cluster) {
+  const auto all = static_cast<int>(folders.size());
+  const auto missing = [&] {
+    std::vector<int> found = jobs_up_to(all);
+    std::erase_if(found, [&](int i) {
+      const auto record = load_record(folders[static_cast<std::size_t>(i)]);
+      return record && record->finished;
+    });
+    return found;
+  };
+  return follow_on_cluster({folder_beside(out, ".slurm"), name, "runs", all, missing, collect},
+                           cluster);
 }
 
 }  // namespace castaway::testbed

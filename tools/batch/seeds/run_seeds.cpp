@@ -15,7 +15,6 @@
 #include "tools/base/output/own_file.hpp"
 #include "tools/base/output/runs_folder.hpp"
 #include "tools/base/output/say.hpp"
-#include "tools/base/process/worker_pool.hpp"
 #include "tools/batch/compare/aggregate.hpp"
 #include "tools/batch/seeds/play_runs.hpp"
 #include "tools/batch/seeds/seeds_summary.hpp"
@@ -36,7 +35,7 @@ std::uint64_t seed_of(const SeedsRequest& request, int index) {
 }
 
 std::filesystem::path seed_folder(const SeedsRequest& request, int index) {
-  return request.out / fmt::format("seed-{}", seed_of(request, index));
+  return request.batch.out / fmt::format("seed-{}", seed_of(request, index));
 }
 
 LoadedScenario load(const SeedsRequest& request, int index) {
@@ -58,17 +57,11 @@ int play_seed(const SeedsRequest& request, int index, SharedWorlds& worlds) {
   return play(load(request, index), options);
 }
 
-/// Indices of the seeds that this process plays or collects.
-std::vector<int> own_seeds(const SeedsRequest& request) {
-  std::vector<int> own = jobs_up_to(request.seeds.count);
-  std::erase_if(own, [&](int i) { return !request.shard.makes(i); });
-  return own;
-}
-
-/// A folder for each of these seeds.
+/// A folder for each seed that this process plays or collects.
 std::vector<PlannedRun> planned_runs(const SeedsRequest& request) {
   std::vector<PlannedRun> runs;
-  for (const int i : own_seeds(request)) {
+  for (int i = 0; i < request.seeds.count; ++i) {
+    if (!request.batch.shard.makes(i)) continue;
     runs.push_back(
         {fmt::format("seed-{}", seed_of(request, i)), sha256(load(request, i).effective)});
   }
@@ -80,20 +73,17 @@ RunsFolder open_folder(SeedsRequest& request, const Scenario& scenario) {
   const std::vector<PlannedRun> runs = planned_runs(request);
   const std::string settings =
       load_scenario(request.scenario, request.overrides, request.programs).effective;
-  OutputRequest output{request.out, "run --seeds", sha256(settings),
+  OutputRequest output{request.batch.out, "run --seeds", sha256(settings),
                        inputs_of(scenario, request.scenario), request.force};
   output.label = request.label;
-  if (request.out.empty()) {
+  if (request.batch.out.empty()) {
     output.target = default_run_folder(scenario).parent_path();
     output.target = announced_free_runs_folder(output, runs);
   }
   if (!request.junit.empty()) require_own_file(request.junit);
-  request.out = output.target;
-  if (scenario.outputs.report) require_own_file(request.out / kIndexName);
-  const RunsShare share = request.collect          ? RunsShare::kCollect
-                          : request.shard.is_all() ? RunsShare::kAll
-                                                   : RunsShare::kSome;
-  return {std::move(output), runs, share};
+  request.batch.out = output.target;
+  if (scenario.outputs.report) require_own_file(request.batch.out / kIndexName);
+  return {std::move(output), runs, share_of(request.batch)};
 }
 
 /// The outcome of a seed.
@@ -106,39 +96,6 @@ using Outcomes = std::vector<Outcome>;  // By index.
 Outcome outcome_of(const std::filesystem::path& folder) {
   if (auto reason = void_sentence_of(folder)) return {std::nullopt, std::move(reason)};
   return {load_judged_run(folder), std::nullopt};
-}
-
-/// Exit codes of the runs that shards made: those that are missing have failed.
-std::vector<int> codes_of_shards(const RunsFolder& folder) {
-  std::vector<int> codes;
-  std::string missing;
-  for (std::size_t i = 0; i < folder.runs().size(); ++i) {
-    codes.push_back(folder.has_run(i) ? kDone : kRunFailed);
-    if (codes.back() != kDone) missing += (missing.empty() ? "" : ", ") + folder.runs()[i].folder;
-  }
-  if (!missing.empty()) {
-    throw std::runtime_error(fmt::format("{}: runs are missing: {}; run their shards again",
-                                         folder.path().string(), missing));
-  }
-  return codes;
-}
-
-/// Exit codes of the planned runs.
-std::vector<int> play_own(const SeedsRequest& request, const RunsFolder& folder) {
-  if (request.collect) return codes_of_shards(folder);
-  const std::vector<int> own = own_seeds(request);
-  return play_runs(folder, request.workers, [&](std::size_t run, SharedWorlds& worlds) {
-    return play_seed(request, own[run], worlds);
-  });
-}
-
-int end_shard(const SeedsRequest& request, const std::vector<int>& codes) {
-  const auto made = std::count(codes.begin(), codes.end(), kDone);
-  print_out(
-      "Shard {} of {}: {} runs made; the same command with --collect in place of --shard sums up "
-      "when all are done\n",
-      request.shard.index, request.shard.count, made);
-  return made == static_cast<std::ptrdiff_t>(codes.size()) ? kDone : kRunFailed;
 }
 
 Outcomes outcomes_of(const SeedsRequest& request, const std::vector<int>& codes) {
@@ -198,7 +155,7 @@ std::vector<JudgedRun> done_of(const Outcomes& outcomes) {
 /// index.html shows what the seeds amount to, and leads to their reports.
 void put_index(const SeedsRequest& request, const Outcomes& outcomes,
                const std::vector<Check>& checks, RunsFolder& folder) {
-  ShownRuns page{{}, request.out / kIndexName, {}, checks};
+  ShownRuns page{{}, request.batch.out / kIndexName, {}, checks};
   for (int i = 0; i < request.seeds.count; ++i) {
     const Outcome& outcome = outcomes[static_cast<std::size_t>(i)];
     if (outcome.run || outcome.void_because) {
@@ -233,8 +190,11 @@ int run_seeds(SeedsRequest request) {
   std::vector<Expectation> expectations = scenario.expect;
   expectations.insert(expectations.end(), request.expectations.begin(), request.expectations.end());
   RunsFolder folder = open_folder(request, scenario);
-  const std::vector<int> codes = play_own(request, folder);
-  if (!request.shard.is_all()) return end_shard(request, codes);
+  const std::vector<int> codes =
+      make_runs(folder, request.batch, [&](std::size_t run, SharedWorlds& worlds) {
+        return play_seed(request, static_cast<int>(run), worlds);
+      });
+  if (!request.batch.shard.is_all()) return end_shard(request.batch.shard, codes);
   const Outcomes outcomes = outcomes_of(request, codes);
   const std::vector<JudgedRun> runs = done_of(outcomes);
   const Json summary = summary_of(request, scenario.name, outcomes);
@@ -248,33 +208,20 @@ int run_seeds(SeedsRequest request) {
   if (!outputs.failed()) folder.finish();
   outputs.make([&] { write_junit(request, scenario.name, outcomes, checks); });
   outputs.rethrow();
-  print_out("{}", request.json ? json_text(summary, 2) + "\n" : describe_seeds(request.out));
+  print_out("{}", request.json ? json_text(summary, 2) + "\n" : describe_seeds(request.batch.out));
   fmt::print(request.json ? stderr : stdout, "{}", describe_checks(checks));
   return runs.size() < outcomes.size() ? kRunFailed : exit_code_of(checks);
 }
 
 int run_seeds_on_slurm(const SeedsRequest& request, const ClusterRequest& cluster) {
-  const Scenario scenario = load(request, 0).scenario;
-  const auto missing = [&] {
-    std::vector<int> found = jobs_up_to(request.seeds.count);
-    std::erase_if(found, [&](int i) {
-      const auto record = load_record(seed_folder(request, i));
-      return record && record->finished;
-    });
-    return found;
-  };
-  const auto unfinished = [&](int shards) { return shards_of(missing(), shards); };
-  const auto done = [&] {
-    return static_cast<std::size_t>(request.seeds.count) - missing().size();
-  };
+  std::vector<std::filesystem::path> folders;
+  for (int i = 0; i < request.seeds.count; ++i) folders.push_back(seed_folder(request, i));
   const auto collect = [&] {
     SeedsRequest collecting = request;
-    collecting.collect = true;
+    collecting.batch.collect = true;
     return run_seeds(collecting);
   };
-  return follow_on_cluster({folder_beside(request.out, ".slurm"), scenario.name, "runs",
-                            request.seeds.count, done, unfinished, collect},
-                           cluster);
+  return follow_runs(request.batch.out, load(request, 0).scenario.name, folders, collect, cluster);
 }
 
 }  // namespace castaway::testbed

@@ -7,7 +7,7 @@
 
 #include "tools/base/process/seed_range.hpp"
 #include "tools/batch/cluster/slurm_batch.hpp"
-#include "tools/batch/jobs/shard.hpp"
+#include "tools/batch/jobs/batch_request.hpp"
 #include "tools/play/report_writer.hpp"
 #include "tools/play/shown_runs.hpp"
 #include "tools/run/metrics/expectation.hpp"
@@ -20,15 +20,12 @@ struct SeedsRequest {
   std::filesystem::path scenario;      ///< Its file.
   std::vector<std::string> overrides;  ///< key=value, without the seed.
   SeedRange seeds;
-  int workers = 1;
-  Shard shard{};                          ///< Which of the runs this process makes.
-  bool collect = false;                   ///< Makes none: shards did.
-  std::filesystem::path out;              ///< Holds a folder for each seed; empty: the default.
-  std::string label;                      ///< Of a default folder that is taken (OutputRequest).
-  bool force = false;                     ///< The folder may hold other files, too.
-  std::vector<Expectation> expectations;  ///< Besides those of the scenario.
-  std::filesystem::path junit;            ///< Empty: none is written.
-  bool strict = false;                    ///< As in `WorldChoice`.
+  BatchRequest batch;  ///< `out` holds a folder for each seed; empty: the default.
+  std::string label;   ///< Of a default folder that is taken (OutputRequest).
+  bool force = false;  ///< The folder may hold other files, too.
+  std::vector<Expectation> expectations;           ///< Besides those of the scenario.
+  std::filesystem::path junit;                     ///< Empty: none is written.
+  bool strict = false;                             ///< As in `WorldChoice`.
   FilePrograms programs = FilePrograms::kRefused;  ///< As in `load_scenario`.
   bool json = false;         ///< Prints the aggregate summary.json instead of words.
   ReportWriter report{};     ///< Of each run, where the scenario asks for one.

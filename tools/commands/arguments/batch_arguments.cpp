@@ -4,7 +4,6 @@
 
 #include "tools/batch/cluster/repeated_command.hpp"
 #include "tools/batch/jobs/kept_trials.hpp"
-#include "tools/batch/jobs/rows_file.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
 
 namespace castaway::testbed {
@@ -89,9 +88,7 @@ int follow_trials(const std::string& kind, int trials, const BatchArguments& arg
   request.collect = true;
   return follow_on_cluster(
       {folder.path(), kind, "trials", trials,
-       [&] { return RowIndex(folder.path(), trials).jobs().size(); },
-       [&](int shards) { return unfinished_shards(folder.path(), trials, shards); },
-       [&] { return collect(request); }},
+       [&] { return jobs_without_row(folder.path(), trials); }, [&] { return collect(request); }},
       arguments.cluster);
 }
 

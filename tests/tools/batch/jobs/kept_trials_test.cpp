@@ -86,7 +86,7 @@ TEST_F(KeptTrialsTest, AreSharedAndCollected) {
   KeptTrials first(one, kEvaluation, 5);
   EXPECT_EQ(run(first), (Texts{"job 0", "", "job 2", "", "job 4"}));
   EXPECT_EQ(first.report(), kDone);
-  EXPECT_EQ(unfinished_shards(one.out, 5, 2), std::vector<int>{2});
+  EXPECT_EQ(jobs_without_row(one.out, 5), (std::vector<int>{1, 3}));
   BatchRequest collect = request();
   collect.collect = true;
   KeptTrials early(collect, kEvaluation, 5);

@@ -17,6 +17,14 @@ TEST(Shard, EveryJobIsMadeByOneOfThem) {
   EXPECT_TRUE(Shard{}.is_all());
 }
 
+TEST(Shard, NumbersItsJobs) {
+  const Shard shard{2, 3};
+  for (int k = 0; k < 4; ++k) EXPECT_TRUE(shard.makes(shard.job(k))) << k;
+  EXPECT_EQ(shard.job(0), 1);
+  EXPECT_EQ(shard.job(2), 7);
+  EXPECT_EQ(Shard{}.job(5), 5);
+}
+
 TEST(Shard, AreThoseThatMakeTheJobs) {
   EXPECT_EQ(shards_of({7, 1, 4, 5}, 3), (std::vector<int>{2, 3}));
   EXPECT_TRUE(shards_of({}, 3).empty());
