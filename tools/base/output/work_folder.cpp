@@ -76,6 +76,7 @@ void WorkFolder::move_in(const FileHashes& files) {
 
 std::string WorkFolder::put(const std::string& name,
                             const std::function<void(const fs::path& draft)>& write) {
+  require_replaceable({{name, ""}});
   write(drafts_ / name);
   std::string hash = hash_file(drafts_, name);
   move_in({{name, hash}});

@@ -39,7 +39,8 @@ class WorkFolder {
   void require_replaceable(const FileHashes& files) const;
   /// Lists drafts as coming and renames them into place. Throws FileError.
   void move_in(const FileHashes& files);
-  /// Makes a draft by `write` and moves it in. Returns its hash, for the list.
+  /// Makes a draft by `write` and moves it in. Returns its hash, for the list. Throws as
+  /// `require_replaceable` and `move_in` do.
   std::string put(const std::string& name,
                   const std::function<void(const std::filesystem::path& draft)>& write);
 

@@ -122,7 +122,9 @@ DatasetFolder::DatasetFolder(fs::path folder, const DatasetIdentity& identity, S
 
 void DatasetFolder::begin(const DatasetIdentity& identity) {
   const bool begun = fs::exists(folder_ / "dataset.json");
-  if (!begun) {
+  if (begun) {
+    check_identity(folder_, identity);  // Another process may have begun in between.
+  } else {
     whole_->record() = {kMadeBy, {}, false, {}, {{"dataset.yaml", sha256(identity.spec)}}};
     whole_->save();
   }

@@ -231,7 +231,7 @@ int make_dataset(const DatasetRequest& request) {
   }
 }
 
-int make_dataset_on_slurm(const DatasetRequest& request, const ClusterRequest& cluster) {
+int make_dataset_on_slurm(DatasetRequest request, const ClusterRequest& cluster) {
   const DatasetSpec spec = load_dataset_spec(request.spec, request.overrides);
   const DatasetIdentity identity = identity_of(spec, request);
   check_identity(request.batch.out, identity);
@@ -244,13 +244,9 @@ int make_dataset_on_slurm(const DatasetRequest& request, const ClusterRequest& c
     });
     return found;
   };
-  const auto collect = [&] {
-    DatasetRequest collecting = request;
-    collecting.batch.collect = true;
-    return make_dataset(collecting);
-  };
+  request.batch.collect = true;
   return follow_on_cluster({folder_beside(request.batch.out, ".slurm"), spec.name, "sequences",
-                            request.sequences, missing, collect},
+                            request.sequences, missing, [&] { return make_dataset(request); }},
                            cluster);
 }
 

@@ -31,6 +31,6 @@ int make_dataset(const DatasetRequest& request);
 
 /// Makes a data set on a cluster, as `follow_on_cluster` does; scripts and logs are in a folder
 /// beside it, `<out>.slurm`.
-int make_dataset_on_slurm(const DatasetRequest& request, const ClusterRequest& cluster);
+int make_dataset_on_slurm(DatasetRequest request, const ClusterRequest& cluster);
 
 }  // namespace castaway::testbed

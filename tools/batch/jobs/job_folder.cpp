@@ -101,13 +101,10 @@ JobFolder::JobFolder(fs::path folder, const JobIdentity& identity) : folder_(std
   require_specification(folder_, identity);
   make_folder(folder_);
   // The marker comes first: whatever follows is the batch's.
-  const std::string marker = marker_of(identity.kind);
-  if (!fs::exists(folder_ / marker)) {
-    write_own_file(folder_ / marker, json_text(identity_json(identity), 1) + "\n");
-  }
-  const std::string specification = specification_of(identity.kind);
-  if (!fs::exists(folder_ / specification)) {
-    write_own_file(folder_ / specification, identity.spec);
+  for (const auto& [name, text] :
+       {std::pair(marker_of(identity.kind), json_text(identity_json(identity), 1) + "\n"),
+        std::pair(specification_of(identity.kind), identity.spec)}) {
+    if (!fs::exists(folder_ / name)) write_own_file(folder_ / name, text);
   }
 }
 

@@ -213,15 +213,13 @@ int run_seeds(SeedsRequest request) {
   return runs.size() < outcomes.size() ? kRunFailed : exit_code_of(checks);
 }
 
-int run_seeds_on_slurm(const SeedsRequest& request, const ClusterRequest& cluster) {
+int run_seeds_on_slurm(SeedsRequest request, const ClusterRequest& cluster) {
   std::vector<std::filesystem::path> folders;
   for (int i = 0; i < request.seeds.count; ++i) folders.push_back(seed_folder(request, i));
-  const auto collect = [&] {
-    SeedsRequest collecting = request;
-    collecting.batch.collect = true;
-    return run_seeds(collecting);
-  };
-  return follow_runs(request.batch.out, load(request, 0).scenario.name, folders, collect, cluster);
+  request.batch.collect = true;
+  return follow_runs(
+      request.batch.out, load(request, 0).scenario.name, folders,
+      [&] { return run_seeds(request); }, cluster);
 }
 
 }  // namespace castaway::testbed

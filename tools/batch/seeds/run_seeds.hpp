@@ -39,6 +39,6 @@ struct SeedsRequest {
 int run_seeds(SeedsRequest request);
 
 /// Plays them on a cluster, as `follow_on_cluster` does; scripts and logs are in `<out>.slurm`.
-int run_seeds_on_slurm(const SeedsRequest& request, const ClusterRequest& cluster);
+int run_seeds_on_slurm(SeedsRequest request, const ClusterRequest& cluster);
 
 }  // namespace castaway::testbed

@@ -63,13 +63,12 @@ TEST(WorkFolder, ReplacesNoFileOfOthers) {
   const TemporaryFolder folder;
   folder.put("mine", "mine");
   folder.put(".castaway.json.part-1", "half");
-  const WorkFolder work(folder.path());
+  WorkFolder work(folder.path());
   EXPECT_FALSE(fs::exists(folder.path() / ".castaway.json.part-1"));
   EXPECT_NO_THROW(work.require_replaceable({{"other", ""}}));
-  EXPECT_TRUE(contains(error_of([&] {
-                         work.require_replaceable({{"mine", ""}});
-                       }),
+  EXPECT_TRUE(contains(error_of([&] { work.put("mine", write_new_draft); }),
                        "mine: castaway did not write what is there"));
+  EXPECT_EQ(read_file(folder.path() / "mine"), "mine");
 }
 
 TEST(WorkFolder, KeepsDraftsOfOthers) {

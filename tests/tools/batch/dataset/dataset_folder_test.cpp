@@ -1,5 +1,8 @@
 #include "tools/batch/dataset/dataset_folder.hpp"
 
+#include <chrono>
+#include <thread>
+
 #include <gtest/gtest.h>
 
 #include "tests/tools/support/temporary.hpp"
@@ -103,6 +106,28 @@ TEST(DatasetFolder, KeepsToOneIdentity) {
   EXPECT_TRUE(contains(refusal(path, other),
                        "line 2 of its dataset.yaml is 'vary:', now it would "
                        "be nothing"));
+}
+
+/// A process that waits for the folder must not take what was begun there for its own.
+TEST(DatasetFolder, KeepsWhatAnotherProcessBeganInTheMeantime) {
+  const TemporaryFolder temporary;
+  const fs::path path = temporary.path() / "set";
+  DatasetIdentity other = identity();
+  other.seed = 8;
+  std::string said;
+  std::thread waiting;
+  {
+    const DatasetFolder folder(temporary.path() / "another", identity());
+    fs::create_directories(path);
+    const FolderLock lock(path);
+    waiting = std::thread([&] { said = refusal(path, other); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    for (const char* name : {"dataset.yaml", "dataset.json"}) {
+      fs::copy(folder.path() / name, path / name);
+    }
+  }
+  waiting.join();
+  EXPECT_TRUE(contains(said, "was made with seed 7, not 8"));
 }
 
 TEST(DatasetFolder, TouchesNoFolderOfOthers) {
