@@ -10,11 +10,6 @@ def default_run(lab):
     return fence(lab.run(["run"]))
 
 
-def twenty_seeds(lab):
-    out = lab.run(["run", "--seeds", "20", "-j", "2", "--set", "outputs.snapshots=false", "--out", "runs/twenty"])
-    return fence(out.split("\nFolder")[0].rstrip())
-
-
 def seven_localizers(lab):
     localizers = (
         "localizers=[mh_amcl, {mh_amcl: {mode: paper}}, amcl, {amcl: {preset: amcl-recovery}}, "

@@ -94,7 +94,7 @@ const char* const kWorld = R"(<sdf version="1.6"><world name="mine">
 /// Makes the files that the pages' commands name.
 fs::path make_inputs(const fs::path& folder) {
   fs::create_directories(folder);
-  for (const char* name : {"worlds", "robots", "datasets", "campaigns"}) {
+  for (const char* name : {"worlds", "robots", "datasets", "campaigns", "examples"}) {
     fs::create_directory_symlink(kSource / name, folder / name);
   }
   EXPECT_EQ(castaway(folder,

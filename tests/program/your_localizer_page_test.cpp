@@ -30,11 +30,11 @@ std::string shell_blocks(const fs::path& page) {
 
 TEST(YourLocalizerPage, RunsWordByWord) {
   const fs::path folder = fresh_folder();
-  fs::create_directories(folder / "build/release");
-  fs::create_symlink(CASTAWAY_PROGRAM, folder / "build/release/castaway");
+  fs::create_directories(folder / "bin");
+  fs::create_symlink(CASTAWAY_PROGRAM, folder / "bin/castaway");
   for (const char* part : {"examples", "include"}) fs::create_symlink(kRoot / part, folder / part);
   write(folder / "page.sh", shell_blocks(kRoot / "docs/your-localizer.md"));
-  const std::string command = "cd '" + folder.string() + "' && bash page.sh >page.log 2>&1";
+  const std::string command = "cd '" + folder.string() + "' && PATH=\"$PWD/bin:$PATH\" bash page.sh >page.log 2>&1";
   ASSERT_EQ(std::system(command.c_str()), 0) << text_of(folder / "page.log");
   for (const char* report : {"mine/run/report.html", "mine/still/report.html"}) {
     EXPECT_TRUE(fs::exists(folder / report)) << report;
