@@ -7,6 +7,8 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include "sim/render/renderer_variables.hpp"
+
 namespace castaway::sim {
 namespace {
 
@@ -46,7 +48,9 @@ EGLContext create_context(EGLDisplay display) {
 
 }  // namespace
 
-EglContext::EglContext() : display_(open_display()) {
+EglContext::EglContext() {
+  const RendererVariables variables;
+  display_ = open_display();
   context_ = create_context(display_);
   make_current();
 }

@@ -9,6 +9,7 @@
 #include "tools/base/files/file_error.hpp"
 #include "tools/base/output/any_error.hpp"
 #include "tools/base/output/interruption.hpp"
+#include "tools/build/bundled_renderer.hpp"
 #include "tools/build/isolated_meshes.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/early_end.hpp"
@@ -69,6 +70,7 @@ int run_main(const std::vector<std::string>& words) {
     return kBadInput;
   }
   isolate_meshes();
+  use_renderer_beside("/proc/self/exe");
   try {
     return run_program(line, words);
   } catch (const Interrupted& interrupted) {

@@ -121,6 +121,13 @@ std::string line_of(const char* text) {
   return line;
 }
 
+/// What helps if the loader lacks versions of symbols, which newer C and C++ libraries have.
+std::string loading_remedy(const std::string& error) {
+  if (error.find("version `") == std::string::npos) return "";
+  return "; it was built with newer libraries of C or C++ than castaway runs with: build it on an "
+         "older system, C++ with -static-libstdc++ -static-libgcc";
+}
+
 /// A name without a slash would be looked for in the system's folders only.
 std::string library_path(const LibraryConfig& config) {
   const std::string found = find_beside(config.library, config.folder);
@@ -158,7 +165,10 @@ LibraryLocalizer::LibraryLocalizer(const LibraryConfig& config, const Greeting& 
   const std::string file = library_path(config);
   require_whole_library(file);
   library_.reset(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL));
-  if (!library_) throw std::runtime_error("cannot load the library: " + line_of(dlerror()));
+  if (!library_) {
+    const std::string error = line_of(dlerror());
+    throw std::runtime_error("cannot load the library: " + error + loading_remedy(error));
+  }
   functions_ = &functions_of(library_.get(), file);
   std::vector<castaway_lidar> lidars;
   for (const LidarFacts& lidar : greeting.lidars) lidars.push_back(c_lidar(lidar));
