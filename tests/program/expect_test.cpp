@@ -47,6 +47,28 @@ TEST(Expectations, ThatAreNotMetExitWithThreeAndSayWhich) {
   expect_contains(text_of(folder / "junit.xml"), "failures=\"1\"");
 }
 
+TEST(Expectations, OfSeedsAreSummedUpInMarkdown) {
+  const fs::path folder = folder_with_scenario("  distance_m: \"> 1000\"\n");
+  const Outcome outcome = castaway(
+      folder, "run gate.yaml --seeds 3..4 --set people.count=0 --out runs --markdown sum.md");
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  const std::string page = text_of(folder / "sum.md");
+  expect_contains(page, "### \xE2\x9D\x8C gate\n\n2 seeds, 0 failed; 3 of 5 expectations met.");
+  expect_contains(page, "|---|---:|---:|---:|---:|---:|\n| mh_amcl | ");
+  expect_contains(page, "* not met: `distance_m is ");
+  expect_contains(page,
+                  "To repeat seed 3: `castaway run gate.yaml --set people.count=0 --seed 3 --out "
+                  "look`\n");
+  EXPECT_EQ(castaway(folder, "run gate.yaml --set people.count=0 --seed 3 --out look").exit_code,
+            3);
+  std::ofstream(folder / "mine.md") << "mine";
+  EXPECT_EQ(castaway(folder, "run gate.yaml --seeds 2 --out more --markdown mine.md").exit_code, 2);
+  EXPECT_EQ(text_of(folder / "mine.md"), "mine");
+  const Outcome single = castaway(folder, "run gate.yaml --out one --markdown one.md");
+  EXPECT_EQ(single.exit_code, 2);
+  expect_contains(single.err, "--markdown: sums up several seeds; say which with --seeds");
+}
+
 TEST(Expectations, OfTheCommandLineAreJudgedToo) {
   const fs::path folder = folder_with_scenario();
   const Outcome outcome = castaway(

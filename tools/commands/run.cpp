@@ -10,6 +10,7 @@
 #include "tools/base/files/attempts.hpp"
 #include "tools/base/output/default_folder.hpp"
 #include "tools/base/output/own_file.hpp"
+#include "tools/batch/cluster/repeated_command.hpp"
 #include "tools/batch/seeds/run_seeds.hpp"
 #include "tools/commands/arguments/batch_arguments.hpp"
 #include "tools/commands/arguments/localizer_arguments.hpp"
@@ -33,6 +34,7 @@ struct RunArguments {
   std::string seeds;
   BatchArguments batch;
   std::string junit;
+  std::string markdown;
   std::string video;  ///< File; empty: none.
   bool json = false;
   bool force = false;
@@ -136,6 +138,10 @@ int run_many(RunArguments arguments) {
   request.label = arguments.scenario.label();
   request.expectations = expectations_of(arguments, scenario);
   request.junit = arguments.junit;
+  request.markdown = arguments.markdown;
+  request.repeat = [words = own_words()](std::uint64_t seed) {
+    return command_of_seed(words, seed);
+  };
   request.json = arguments.json;
   request.force = arguments.force;
   request.strict = arguments.strict;
@@ -199,6 +205,8 @@ void add_run_command(Command& app) {
                      "above it)");
   add_sharing_options(command, arguments->batch, "runs");
   command.add_option("--junit", arguments->junit, "Write the expectations as JUnit XML");
+  command.add_option("--markdown", arguments->markdown,
+                     "Write the summary of --seeds as Markdown, for the page of a CI job");
   command.add_option("--video", arguments->video,
                      "Film of the run (.mp4, .webm), by ffmpeg; as outputs.video says");
   command.add_flag("--force", arguments->force,
@@ -221,6 +229,9 @@ void add_run_command(Command& app) {
       "  castaway run --world my_map.yaml --duration 60 --set events.0.kidnap.at_s=20");
   command.action([arguments, jobs] {
     if (!arguments->seeds.empty()) return run_many(*arguments);
+    if (!arguments->markdown.empty()) {
+      throw std::invalid_argument("--markdown: sums up several seeds; say which with --seeds");
+    }
     if (jobs.given()) {
       throw std::invalid_argument(
           "-j, --jobs: runs several seeds at a time; say which with --seeds, or leave it away");

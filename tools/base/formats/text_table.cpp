@@ -69,4 +69,24 @@ std::string as_text(const TextTable& table, std::size_t columns) {
   return text;
 }
 
+std::string as_markdown(const TextTable& table) {
+  const auto line = [](const std::vector<std::string>& cells) {
+    std::string text = "|";
+    for (const std::string& cell : cells) {
+      std::string safe;
+      for (const char c : cell) {
+        if (c == '|' || c == '\\') safe += '\\';
+        safe += c == '\n' ? ' ' : c;
+      }
+      text += " " + safe + " |";
+    }
+    return text + "\n";
+  };
+  std::string text = line(table.head) + "|---|";
+  for (std::size_t i = 1; i < table.head.size(); ++i) text += "---:|";
+  text += "\n";
+  for (const auto& row : table.rows) text += line(row);
+  return text;
+}
+
 }  // namespace castaway::testbed

@@ -18,6 +18,9 @@ struct TextTable {
 /// cell a line behind the head of its column.
 std::string as_text(const TextTable& table, std::size_t columns = std::string::npos);
 
+/// As a table of Markdown (GitHub's); its cells have no colours.
+std::string as_markdown(const TextTable& table);
+
 /// Characters that a terminal shows of UTF-8: colour codes take no room.
 std::size_t shown_length(const std::string& text);
 

@@ -6,10 +6,12 @@
 #include <initializer_list>
 #include <iterator>
 #include <map>
+#include <regex>
 #include <string_view>
 
 #include "tools/base/bytes/sha256.hpp"
 #include "tools/base/files/file.hpp"
+#include "tools/batch/cluster/command_output.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -79,6 +81,16 @@ std::vector<std::string> shared_words(const std::vector<std::string>& words) {
 
 std::vector<std::string> asked_words(const std::vector<std::string>& words) {
   return without(shared_words(words), {"--retry-failed", "--force", "--verbose"}, {"--out"});
+}
+
+std::string command_of_seed(const std::vector<std::string>& words, std::uint64_t seed) {
+  static const std::regex plain(R"([\w./:=@%+,-]+)");
+  std::string line = "castaway";
+  for (const std::string& word :
+       without(asked_words(words), {}, {"--seeds", "--seed", "--junit", "--markdown"})) {
+    line += " " + (std::regex_match(word, plain) ? word : shell_word(word));
+  }
+  return line + " --seed " + std::to_string(seed) + " --out look";
 }
 
 std::string hash_of_named_files(const std::vector<std::string>& words) {

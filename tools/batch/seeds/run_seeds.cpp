@@ -80,7 +80,9 @@ RunsFolder open_folder(SeedsRequest& request, const Scenario& scenario) {
     output.target = default_run_folder(scenario).parent_path();
     output.target = announced_free_runs_folder(output, runs);
   }
-  if (!request.junit.empty()) require_own_file(request.junit);
+  for (const auto& file : {request.junit, request.markdown}) {
+    if (!file.empty()) require_own_file(file);
+  }
   request.batch.out = output.target;
   if (scenario.outputs.report) require_own_file(request.batch.out / kIndexName);
   return {std::move(output), runs, share_of(request.batch)};
@@ -183,6 +185,29 @@ void write_junit(const SeedsRequest& request, const std::string& scenario, const
   write_own_file(request.junit, junit_xml(scenario, cases));
 }
 
+/// The seed to look at: the first that failed or is void, else that of the first expectation which
+/// is not met.
+std::optional<std::uint64_t> worst_seed(const SeedsRequest& request, const Outcomes& outcomes,
+                                        const std::vector<Check>& checks) {
+  for (int i = 0; i < request.seeds.count; ++i) {
+    if (!outcomes[static_cast<std::size_t>(i)].run) return seed_of(request, i);
+  }
+  const auto unmet = std::ranges::find(checks, false, &Check::met);
+  if (unmet == checks.end()) return std::nullopt;
+  for (int i = 0; i < request.seeds.count; ++i) {
+    if (unmet->folder == seed_folder(request, i)) return seed_of(request, i);
+  }
+  return unmet->seed.value_or(seed_of(request, 0));
+}
+
+void write_markdown(const SeedsRequest& request, const Outcomes& outcomes,
+                    const std::vector<Check>& checks) {
+  if (request.markdown.empty()) return;
+  SeedsVerdict verdict{checks, worst_seed(request, outcomes, checks), {}};
+  if (verdict.worst) verdict.repeats = request.repeat(*verdict.worst);
+  write_own_file(request.markdown, seeds_markdown(request.batch.out, verdict));
+}
+
 }  // namespace
 
 int run_seeds(SeedsRequest request) {
@@ -207,6 +232,7 @@ int run_seeds(SeedsRequest request) {
   }
   if (!outputs.failed()) folder.finish();
   outputs.make([&] { write_junit(request, scenario.name, outcomes, checks); });
+  outputs.make([&] { write_markdown(request, outcomes, checks); });
   outputs.rethrow();
   print_out("{}", request.json ? json_text(summary, 2) + "\n" : describe_seeds(request.batch.out));
   fmt::print(request.json ? stderr : stdout, "{}", describe_checks(checks));

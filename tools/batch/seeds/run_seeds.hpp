@@ -1,7 +1,9 @@
 /// castaway run --seeds: runs one scenario with many seeds in parallel.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,11 +27,14 @@ struct SeedsRequest {
   bool force = false;  ///< The folder may hold other files, too.
   std::vector<Expectation> expectations;           ///< Besides those of the scenario.
   std::filesystem::path junit;                     ///< Empty: none is written.
+  std::filesystem::path markdown;                  ///< Of the summary; empty: none is written.
   bool strict = false;                             ///< As in `WorldChoice`.
   FilePrograms programs = FilePrograms::kRefused;  ///< As in `load_scenario`.
   bool json = false;         ///< Prints the aggregate summary.json instead of words.
   ReportWriter report{};     ///< Of each run, where the scenario asks for one.
   RunsPageRenderer index{};  ///< Renders index.html, likewise.
+  /// The command that plays one seed again; with `markdown`.
+  std::function<std::string(std::uint64_t seed)> repeat{};
 };
 
 /// Plays every seed into `out`/seed-<n> and writes the aggregate into `out`: summary.json (`kind`

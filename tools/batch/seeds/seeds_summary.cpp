@@ -1,5 +1,7 @@
 #include "tools/batch/seeds/seeds_summary.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -45,26 +47,53 @@ std::string voids_text(const Json& summary) {
   return fmt::format(", {} void (seeds {}) and left out", summary.at("void_seeds").size(), seeds);
 }
 
+TextTable table_of(const Json& summary) {
+  TextTable table{
+      {"", "recovered", "recovery time [s]", "slowest", "tracking error [m]", "wrong, share"}, {}};
+  for (const auto& [name, localizer] : summary.at("localizers").items()) {
+    table.rows.push_back(seeds_row(name, localizer.at("recovery"), summary.at("figures")));
+  }
+  return table;
+}
+
+std::string counts_text(const Json& summary) {
+  return fmt::format("{} seeds, {} failed{}", summary.at("seeds").size(),
+                     summary.at("failed_seeds").size(), voids_text(summary));
+}
+
+/// Text in a line of Markdown.
+std::string code(const std::string& text) {
+  return text.find('`') == std::string::npos ? "`" + text + "`" : "`` " + text + " ``";
+}
+
 }  // namespace
 
 std::string describe_seeds(const std::filesystem::path& folder) {
   const Json summary = read_json(folder / "summary.json");
-  const Json& figures = summary.at("figures");
-  std::string text =
-      fmt::format("{}: {} seeds, {} failed{}; means with 95 % intervals\n\n",
-                  summary.at("scenario").get<std::string>(), summary.at("seeds").size(),
-                  summary.at("failed_seeds").size(), voids_text(summary));
-  TextTable table{
-      {"", "recovered", "recovery time [s]", "slowest", "tracking error [m]", "wrong, share"}, {}};
-  for (const auto& [name, localizer] : summary.at("localizers").items()) {
-    table.rows.push_back(seeds_row(name, localizer.at("recovery"), figures));
-  }
-  text += as_text(table, columns_of(stdout));
+  std::string text = fmt::format("{}: {}; means with 95 % intervals\n\n",
+                                 summary.at("scenario").get<std::string>(), counts_text(summary));
+  text += as_text(table_of(summary), columns_of(stdout));
   text +=
       fmt::format("\nRun folders: {0}/seed-<n>\nSummary:     {0}/summary.json\n", folder.string());
   const std::filesystem::path page = folder / "index.html";
   return std::filesystem::exists(page) ? text + fmt::format("Page:        {}\n", page.string())
                                        : text;
+}
+
+std::string seeds_markdown(const std::filesystem::path& folder, const SeedsVerdict& verdict) {
+  const Json summary = read_json(folder / "summary.json");
+  const auto met = std::ranges::count_if(verdict.checks, &Check::met);
+  std::string text = fmt::format(
+      "### {} {}\n\n{}; {} of {} expectations met. Means with 95 % "
+      "intervals:\n\n{}",
+      verdict.worst ? "❌" : "✅", summary.at("scenario").get<std::string>(), counts_text(summary),
+      met, verdict.checks.size(), as_markdown(table_of(summary)));
+  if (!verdict.worst) return text;
+  text += "\n";
+  for (const Check& check : verdict.checks) {
+    if (!check.met) text += "* not met: " + code(describe(check)) + "\n";
+  }
+  return text + fmt::format("\nTo repeat seed {}: {}\n", *verdict.worst, code(verdict.repeats));
 }
 
 void RecoveryTally::add(const MetricTable& run) {

@@ -33,5 +33,11 @@ TEST(TextTable, CountsWhatATerminalShows) {
   EXPECT_EQ(as_text(coloured), "       x\n  a    \033[31m1\033[0m\n  b   12\n");
 }
 
+TEST(TextTable, IsATableOfMarkdown) {
+  const TextTable table{{"", "found"}, {{"a|b", "3 of 3"}, {"two\nlines", "back\\slash"}}};
+  EXPECT_EQ(as_markdown(table),
+            "|  | found |\n|---|---:|\n| a\\|b | 3 of 3 |\n| two lines | back\\\\slash |\n");
+}
+
 }  // namespace
 }  // namespace castaway::testbed

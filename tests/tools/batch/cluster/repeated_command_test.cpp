@@ -37,5 +37,27 @@ TEST(RepeatedCommand, IsBoundToTheFilesThatItNames) {
   EXPECT_NE(hash_of_named_files(words), changed);
 }
 
+TEST(RepeatedCommand, OfASeedIsALineForAShell) {
+  const Words words{"run",
+                    "ci/my gate.yaml",
+                    "--seeds=20",
+                    "-j",
+                    "2",
+                    "--out",
+                    "gate",
+                    "--junit",
+                    "gate.xml",
+                    "--markdown",
+                    "sum.md",
+                    "--set",
+                    "a.b=3",
+                    "--localizer",
+                    "program:python3 it's.py",
+                    "--force"};
+  EXPECT_EQ(command_of_seed(words, 7),
+            "castaway run 'ci/my gate.yaml' --set a.b=3 --localizer 'program:python3 it'\\''s.py' "
+            "--seed 7 --out look");
+}
+
 }  // namespace
 }  // namespace castaway::testbed
