@@ -1,4 +1,4 @@
-"""The protocol between castaway and a localizer, in nothing but Python's standard library.
+"""The protocol between castaway and a localizer, in nothing but the standard library of Python 3.7 or newer.
 
     class Mine(Localizer):
         def initialize(self, pose, covariance): ...
@@ -9,6 +9,8 @@
 
 Poses are [x, y, yaw] in m and rad. Standard output belongs to the protocol: print to sys.stderr.
 """
+
+from __future__ import annotations
 
 import base64
 import dataclasses
@@ -86,20 +88,20 @@ def run(kind, lines=sys.stdin, out=sys.stdout):
     localizer = None
     for line in lines:
         message = json.loads(line)
-        match message["type"]:
-            case "hello":
-                lidars = {lidar["name"]: lidar for lidar in message["lidars"]}
-                localizer = kind(read_map(message["map"]), lidars, message["params"], message["seed"])
-                say({"type": "ready", "protocol": 1})
-            case "lidar":
-                localizer.lidars[message["lidar"]["name"]] = message["lidar"]
-            case "initialize":
-                localizer.initialize(message["pose"], message["covariance"])
-            case "odometry":
-                localizer.on_odometry(message["stamp_ns"], message["pose"], message["twist"])
-            case "scan":
-                lidar = localizer.lidars[message["lidar"]]
-                estimate = localizer.on_scan(message["stamp_ns"], message["ranges"], lidar, message["time_increment_s"])
-                say(answer(estimate, message["stamp_ns"]))
-            case "bye":
-                return
+        what = message["type"]
+        if what == "hello":
+            lidars = {lidar["name"]: lidar for lidar in message["lidars"]}
+            localizer = kind(read_map(message["map"]), lidars, message["params"], message["seed"])
+            say({"type": "ready", "protocol": 1})
+        elif what == "lidar":
+            localizer.lidars[message["lidar"]["name"]] = message["lidar"]
+        elif what == "initialize":
+            localizer.initialize(message["pose"], message["covariance"])
+        elif what == "odometry":
+            localizer.on_odometry(message["stamp_ns"], message["pose"], message["twist"])
+        elif what == "scan":
+            lidar = localizer.lidars[message["lidar"]]
+            estimate = localizer.on_scan(message["stamp_ns"], message["ranges"], lidar, message["time_increment_s"])
+            say(answer(estimate, message["stamp_ns"]))
+        elif what == "bye":
+            return

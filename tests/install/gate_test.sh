@@ -11,7 +11,7 @@ root='' repository=$work/repository
 mkdir "$work/repository"
 if [ -n "$suite" ]; then
   root=$work/root repository=$work/root/repository
-  mmdebstrap --quiet --variant=essential --include=python3-minimal,zstd "$suite" "$root" ${MIRROR:+"$MIRROR"}
+  mmdebstrap --quiet --variant=essential --include=python3,zstd "$suite" "$root" ${MIRROR:+"$MIRROR"}
   mkdir "$repository" "$root/castaway"
   cp "$archive" "$root/castaway/archive.tar.zst"
   mount -t proc proc "$root/proc"
@@ -19,7 +19,8 @@ if [ -n "$suite" ]; then
   trap 'umount -l "$root/proc" "$root/dev"; rm -rf "$work"' EXIT
   archive=/castaway/archive.tar.zst
 fi
-cp "$source/examples/program/protocol.py" "$source/scripts/gate" "$repository"
+cp "$source/examples/program/protocol.py" "$repository"
+cp "$source/scripts/gate" "$repository/castaway-gate"
 
 # The localizers: of docs/your-localizer.md, in Python and in C++; scenarios that they pass and that they fail.
 sed -n '/^cat > mine\/mine.py/,/^END$/p' "$source/docs/your-localizer.md" | sed '1d;$d' >"$repository/mine.py"
@@ -39,9 +40,9 @@ gate() {
   code=0
   local clean=(env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin GITHUB_STEP_SUMMARY=page.md)
   if [ -n "$root" ]; then
-    "${clean[@]}" chroot "$root" sh -c 'cd /repository && exec sh ./gate "$@"' gate --archive "$archive" "$@" >"$work/log" 2>&1 || code=$?
+    "${clean[@]}" chroot "$root" sh -c 'cd /repository && exec sh ./castaway-gate "$@"' gate --archive "$archive" "$@" >"$work/log" 2>&1 || code=$?
   else
-    (cd "$repository" && "${clean[@]}" sh ./gate --archive "$archive" "$@") >"$work/log" 2>&1 || code=$?
+    (cd "$repository" && "${clean[@]}" sh ./castaway-gate --archive "$archive" "$@") >"$work/log" 2>&1 || code=$?
   fi
 }
 expect() { # CODE WHAT
@@ -70,10 +71,24 @@ expect 0 "--fail-on runs"
 gate --scenario fails.yaml --localizer library:./mine.so --seeds 1
 expect 3 "a library's gate"
 page "castaway run fails.yaml --localizer library:./mine.so --seed 1 --out look"
-gate --scenario passes.yaml --localizer "program:python3 nothing.py" --seeds 1
+gate --scenario passes.yaml --localizer "program:python3 nothing/mine.py" --seeds 1
 expect 1 "a localizer that breaks off"
 gate --scenario nothing.yaml --seeds 1 --fail-on never
 expect 2 "a scenario that is not there"
+
+# The action's own step, as GitHub runs it.
+if [ -z "$root" ] && /usr/bin/python3 -c "import yaml" 2>/dev/null; then
+  /usr/bin/python3 -c "import sys, yaml; print(yaml.safe_load(open(sys.argv[1]))['runs']['steps'][0]['run'])" "$source/action.yml" >"$work/step.sh"
+  rm -rf "$repository/gate" "$repository/page.md"
+  code=0
+  (cd "$repository" && env -i PATH=/usr/bin:/bin GITHUB_STEP_SUMMARY=page.md GITHUB_OUTPUT=outputs SCENARIO=fails.yaml SEEDS=1 OUT=gate \
+    LOCALIZER=$'program:python3 mine.py\nmh_amcl\n' ARCHIVE="$archive" RELEASE=http://localhost:9/none FAIL_ON=expectations \
+    ARGUMENTS="--set 'people.count=1'" GATE="$source/scripts/gate" bash -e -o pipefail "$work/step.sh") >"$work/log" 2>&1 || code=$?
+  expect 3 "the action's step"
+  grep -qx "exit-code=3" "$repository/outputs" || fail "the action does not say how it ended"
+  page "| mh_amcl | 1 of 1"
+  page "castaway run fails.yaml --localizer 'program:python3 mine.py' --localizer mh_amcl --set people.count=1 --seed 1 --out look"
+fi
 
 if [ -x "$peer" ]; then
   domain=$((RANDOM % 100 + 100))
