@@ -35,6 +35,7 @@ EXPERIMENTS, SPEED = "docs/figures/experiments.md", "docs/figures/speed.md"
 BLOCKS = {
     "default-run": Block("README.md", localizers.default_run, SIMULATOR, cheap=True),
     "compared": Block("README.md", localizers.seven_localizers, SIMULATOR),
+    "shipped-logs": Block("README.md", localizers.shipped_logs, REPLAY + ["logs"]),
     "replays": Block("README.md", localizers.replays, REPLAY, logs=True, times=True),
     "evaluations": Block("README.md", localizers.evaluations, REPLAY, logs=True, times=True),
     "seven-localizers": Block(LOCALIZATION, localizers.seven_localizers, SIMULATOR),

@@ -81,6 +81,16 @@ def evaluations(lab):
                   "wrong without saying so", "CPU per scan: mean, largest"], rows)
 
 
+def shipped_logs(lab):
+    names = ["logs/office", "logs/home", "logs/warehouse"]
+    rows = [
+        [row["log"], f"`{row['localizer']}`", share(row["starts"]), share(row["kidnaps"]), f"{row['tracking_m']:.3f} m",
+         f"{100 * row['wrong_scans'] / row['scans']:.1f} %"]
+        for row in json.loads(lab.run(["evaluate", *names, "--localizer", "mh_amcl", "--localizer", "amcl", "--json"]))
+    ]
+    return table(["log", "localizer", "unknown start found", "kidnap recovered", "tracking", "wrong without saying so"], rows)
+
+
 def experiment(number, *arguments):
     def measured(lab):
         out = lab.run(["experiment", str(number), *arguments])

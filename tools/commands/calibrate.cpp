@@ -11,6 +11,7 @@
 #include "tools/commands/arguments/log_arguments.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/pages/twin/calibration_page.hpp"
+#include "tools/scenario/files/data_paths.hpp"
 #include "tools/twin/prediction/calibration_lines.hpp"
 
 namespace castaway::testbed {
@@ -58,7 +59,8 @@ std::string play_sentence(const LogFit& fit, const std::string& folder) {
       play);
 }
 
-int calibrate(const CalibrateArguments& arguments) {
+int calibrate(CalibrateArguments arguments) {
+  arguments.log = find_shipped(arguments.log);
   const bool is_folder = arguments.map.empty() && std::filesystem::is_directory(arguments.log);
   OutputFolder out({.target = arguments.out,
                     .made_by = "calibrate",

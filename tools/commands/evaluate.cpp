@@ -1,4 +1,5 @@
 // castaway evaluate: evaluates localizers on recorded logs.
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <memory>
@@ -23,6 +24,7 @@
 #include "tools/run/metrics/metrics_json.hpp"
 #include "tools/run/metrics/statistics/intervals.hpp"
 #include "tools/run/metrics/statistics/statistics.hpp"
+#include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/scenario_file.hpp"
 #include "tools/scenario/yaml/yaml_reader.hpp"
 
@@ -261,7 +263,10 @@ void add_evaluate_command(Command& app) {
       "  castaway evaluate logs/intel logs/aces --starts 24 --kidnaps 24 --window 60 --localizer "
       "mh_amcl --localizer amcl\n"
       "  castaway evaluate logs/intel --out intel -j 4");
-  command.action([a] { return evaluate_logs(*a); });
+  command.action([a] {
+    std::ranges::transform(a->folders, a->folders.begin(), find_shipped);
+    return evaluate_logs(*a);
+  });
 }
 
 }  // namespace castaway::testbed

@@ -19,6 +19,7 @@
 #include "tools/play/replay/recorded_log.hpp"
 #include "tools/play/replay/replay_session.hpp"
 #include "tools/play/terminal.hpp"
+#include "tools/scenario/files/data_paths.hpp"
 
 namespace castaway::testbed {
 namespace {
@@ -167,7 +168,9 @@ OutputRequest output_request(const ReplayArguments& arguments, const ReplaySessi
   return request;
 }
 
-int replay_log(const ReplayArguments& arguments) {
+int replay_log(ReplayArguments arguments) {
+  arguments.log = find_shipped(arguments.log);
+  arguments.recording.map = find_shipped(arguments.recording.map);
   const std::chrono::nanoseconds begin = wall_time();
   const ReplaySession session = session_to_play(arguments);
   const RecordedLog log = open_log(session);

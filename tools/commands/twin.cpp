@@ -15,6 +15,7 @@
 #include "tools/pages/twin/calibration_page.hpp"
 #include "tools/pages/twin/place_picture.hpp"
 #include "tools/pages/twin/prediction_page.hpp"
+#include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/scenario_file.hpp"
 #include "tools/twin/prediction/predict_logs.hpp"
 #include "tools/twin/prediction/prediction_tables.hpp"
@@ -119,7 +120,10 @@ void add_twin_command(Command& app) {
       "time.\n"
       "Example:\n"
       "  castaway twin logs/intel logs/aces --localizer mh_amcl --localizer amcl --out twins -j 2");
-  command.action([a] { return compare_twins(*a); });
+  command.action([a] {
+    std::ranges::transform(a->folders, a->folders.begin(), find_shipped);
+    return compare_twins(*a);
+  });
 }
 
 }  // namespace castaway::testbed

@@ -153,6 +153,13 @@ fs::path find_scenario(const std::string& text, const fs::path& base) {
            : "give a file's path, or <world>/<name>; `castaway scenarios` lists the shipped ones"));
 }
 
+std::string find_shipped(const std::string& text) {
+  std::error_code none;
+  if (text.empty() || fs::exists(text, none) || fs::path(text).is_absolute()) return text;
+  const fs::path shipped = data_root() / text;
+  return fs::exists(shipped, none) ? shipped.string() : text;
+}
+
 std::vector<std::string> world_names() { return folders_in(data_root() / "worlds"); }
 
 std::vector<std::string> robot_names() { return folders_in(data_root() / "robots"); }

@@ -7,9 +7,9 @@
 
 namespace castaway::testbed {
 
-/// The folder that holds `worlds/`, `robots/`, `lidars/` and `datasets/`: $CASTAWAY_DATA, or the
-/// program's `share/castaway`, in the installation or in the build tree. Throws std::runtime_error
-/// if it holds no worlds.
+/// The folder that holds `worlds/`, `robots/`, `lidars/`, `logs/` and `datasets/`: $CASTAWAY_DATA,
+/// or the program's `share/castaway`, in the installation or in the build tree. Throws
+/// std::runtime_error if it holds no worlds.
 std::filesystem::path data_root();
 
 /// Names the folder of `data_root` where the data lie elsewhere than beside the running program,
@@ -33,6 +33,10 @@ std::filesystem::path find_scenario(const std::string& text, const std::filesyst
 
 /// `text` itself if it exists, else relative to `base`.
 std::filesystem::path find_file(const std::string& text, const std::filesystem::path& base);
+
+/// `text` itself if something is there, else its place among the data, such as "logs/office", if
+/// something is there; else `text`.
+std::string find_shipped(const std::string& text);
 
 /// Sorted names of the shipped worlds, robots and scenarios.
 std::vector<std::string> world_names();
