@@ -22,11 +22,11 @@ DATA_FOLDERS = ("worlds", "robots", "lidars", "datasets")
 EPOCH = (2020, 1, 1, 0, 0, 0)  # The same files give the same wheel.
 
 
-def _project() -> dict:
+def read_project() -> dict:
     return tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
 
 
-def _metadata(project: dict) -> str:
+def metadata(project: dict) -> str:
     lines = [
         "Metadata-Version: 2.1",
         f"Name: {project['name']}",
@@ -63,7 +63,7 @@ def _build_module() -> Path:
     return folder / "python/castaway" / f"_castaway{sysconfig.get_config_var('EXT_SUFFIX')}"
 
 
-def _package_files() -> dict[str, Path]:
+def package_files() -> dict[str, Path]:
     """Files of the package besides the module, by their names in the wheel."""
     files = {}
     sources = ROOT / "python/castaway"
@@ -77,12 +77,13 @@ def _package_files() -> dict[str, Path]:
     return files
 
 
-class _Wheel:
+class Wheel:
     """A wheel that is being written, with its RECORD."""
 
-    def __init__(self, file: Path, info: str) -> None:
+    def __init__(self, file: Path, info: str, date: tuple[int, ...] = EPOCH) -> None:
         self._zip = zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED)
         self._record = f"{info}/RECORD"
+        self._date = date
         self._lines: list[str] = []
 
     def add(self, name: str, content: bytes, mode: int = 0o644) -> None:
@@ -96,7 +97,7 @@ class _Wheel:
         self._zip.close()
 
     def _write(self, name: str, content: bytes, mode: int) -> None:
-        entry = zipfile.ZipInfo(name, EPOCH)
+        entry = zipfile.ZipInfo(name, self._date)
         entry.external_attr = (0o100000 | mode) << 16
         entry.compress_type = zipfile.ZIP_DEFLATED
         self._zip.writestr(entry, content)
@@ -106,14 +107,14 @@ def _info(project: dict) -> dict[str, bytes]:
     """Files of the wheel's .dist-info folder, without RECORD."""
     text = f"Wheel-Version: 1.0\nGenerator: castaway_build\nRoot-Is-Purelib: false\nTag: {_tag()}\n"
     return {
-        "METADATA": _metadata(project).encode(),
+        "METADATA": metadata(project).encode(),
         "LICENSE": (ROOT / "LICENSE").read_bytes(),
         "WHEEL": text.encode(),
     }
 
 
 def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None) -> str:
-    project = _project()
+    project = read_project()
     folder = Path(metadata_directory) / f"{project['name']}-{project['version']}.dist-info"
     folder.mkdir()
     for name, content in _info(project).items():
@@ -122,12 +123,12 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None) -
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None) -> str:
-    project = _project()
+    project = read_project()
     module = _build_module()
     release = f"{project['name']}-{project['version']}"
     name = f"{release}-{_tag()}.whl"
-    wheel = _Wheel(Path(wheel_directory) / name, f"{release}.dist-info")
-    for path, file in _package_files().items():
+    wheel = Wheel(Path(wheel_directory) / name, f"{release}.dist-info")
+    for path, file in package_files().items():
         wheel.add(path, file.read_bytes())
     wheel.add(f"castaway/{module.name}", module.read_bytes(), 0o755)
     for path, content in _info(project).items():
@@ -137,7 +138,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None) 
 
 
 def build_sdist(sdist_directory, config_settings=None) -> str:
-    project = _project()
+    project = read_project()
     release = f"{project['name']}-{project['version']}"
     listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True)
     with tarfile.open(Path(sdist_directory) / f"{release}.tar.gz", "w:gz") as archive:

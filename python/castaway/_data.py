@@ -1,11 +1,16 @@
-"""Finds the worlds, robots, lidars and data sets of the package."""
+"""Finds the worlds, robots, lidars and data sets of the package, and its renderer."""
 
 from pathlib import Path
 
 from . import _castaway
 
-# A folder of the installed package; in the build tree a link to the source tree's data.
-_castaway.set_shipped_data(str(Path(__file__).absolute().parent / "data"))
+_PACKAGE = Path(__file__).absolute().parent
+# In the wheel that contains its libraries they lie as in the portable bundle, for its program, too. Else `data` is a folder of
+# the installed package, and in the build tree a link to the source tree's data.
+_SHARED = _PACKAGE / "share/castaway"
+_castaway.set_shipped_data(str(_SHARED if _SHARED.is_dir() else _PACKAGE / "data"))
+if (_PACKAGE / "lib/renderer").is_dir():
+    _castaway.use_renderer_in(str(_PACKAGE / "lib/renderer"))
 
 
 def data_root() -> Path:

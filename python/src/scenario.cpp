@@ -4,6 +4,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "castaway/scenario.hpp"
+#include "sim/render/renderer_variables.hpp"
 #include "tools/base/output/file_name.hpp"
 #include "tools/scenario/files/data_paths.hpp"
 #include "tools/scenario/localizers/localizer_specs.hpp"
@@ -18,6 +19,8 @@ void bind_scenario(py::module_& module) {
            py::arg("overrides"), py::arg("allow_programs"));
   module.def("set_shipped_data", &set_data_folder, py::arg("folder"),
              "Where worlds, robots, lidars and data sets lie, unless CASTAWAY_DATA says it.");
+  module.def("use_renderer_in", &sim::use_renderer_in, py::arg("folder"),
+             "Takes Mesa's software renderer in the folder for all pictures.");
   module.def("data_root", &testbed::data_root, "Where worlds, robots, lidars and data sets lie.");
   module.def("scenarios", &scenario_names, "The scenarios that come along.");
   module.def("localizer_yaml", &testbed::localizer_yaml, py::arg("text"),

@@ -14,7 +14,8 @@ DOC = pathlib.Path("/usr/share/doc")
 TOLD = {
     "gcc-12": "GPL-3+ with GCC Runtime Library exception", "glibc": "LGPL-2.1+", "gnutls28": "LGPL-2.1+", "krb5": "MIT",
     "libaec": "BSD-2-clause", "libdrm": "MIT", "libpciaccess": "MIT", "libtasn1-6": "LGPL-2.1+", "libx11": "MIT", "libxau": "MIT",
-    "libxcb": "MIT", "libxdmcp": "MIT", "libxshmfence": "MIT", "lm-sensors": "LGPL-2.1+", "rtmpdump": "LGPL-2.1+", "wayland": "MIT"}
+    "libxcb": "MIT", "libxdmcp": "MIT", "libxshmfence": "MIT", "lm-sensors": "LGPL-2.1+", "python3.9": "PSF-2", "python3.11": "PSF-2",
+    "python3.13": "PSF-2", "rtmpdump": "LGPL-2.1+", "wayland": "MIT"}
 
 
 @dataclasses.dataclass
@@ -87,6 +88,12 @@ def rows(libraries, packages, package_file, modules):
     shared = [package_row(f"lib/{name}", owners[str(pathlib.Path(file).resolve())]) for name, file in sorted(libraries.items())]
     inside = [package_row("bin/castaway: headers and archives", package) for package in packages]
     return [*shared, *inside, *player_rows(package_file, modules)]
+
+
+def module_rows(packages):
+    """Headers that the modules of the wheel were compiled with."""
+    for package, version, source, text in packages:
+        yield Row("castaway/_castaway: headers", package, version, source, version, licence_of(source, text.read_text()), str(text))
 
 
 def copy_licences(found, folder):
