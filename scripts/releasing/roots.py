@@ -30,11 +30,13 @@ def own_mirror():
     return lines[0] if lines else MIRROR
 
 
-def make(suite, folder, mirror):
+def make(suite, folder, mirror, packages=()):
+    """A root of a suite's essential packages, and of further ones."""
     if suite == EMPTY:
         folder.mkdir()
     else:
-        command = ["mmdebstrap", "--variant=essential", "--quiet", suite, str(folder), mirror or own_mirror()]
+        include = [f"--include={name}" for name in packages]
+        command = ["mmdebstrap", "--variant=essential", "--quiet", *include, suite, str(folder), mirror or own_mirror()]
         done = subprocess.run(command, text=True, capture_output=True)
         if done.returncode != 0:
             raise RootError(f"mmdebstrap failed: {done.stderr.strip()[-500:]}")
@@ -51,7 +53,8 @@ def work_of(user):
     return pathlib.Path("work") / str(user)
 
 
-def mount(folder):
+def mount(folder, work_mode="noexec"):
+    """Mounts what runs need, and the bundle's folder read-only. In the folder of the runs no program starts, unless its mode is `exec`."""
     def mount_one(*words):
         subprocess.run(["mount", *words], check=True)
 
@@ -59,8 +62,8 @@ def mount(folder):
     mount_one("--bind", str(bundle), str(bundle))
     mount_one("-o", "remount,bind,ro,nosuid,nodev", str(bundle))
     mount_one("-t", "proc", "-o", "nosuid,nodev,noexec", "proc", str(folder / "proc"))
-    for name in ["tmp", "work"]:
-        mount_one("-t", "tmpfs", "-o", "nosuid,nodev,noexec,mode=1777", "tmpfs", str(folder / name))
+    for name, mode in {"tmp": "noexec", "work": work_mode}.items():
+        mount_one("-t", "tmpfs", "-o", f"nosuid,nodev,{mode},mode=1777", "tmpfs", str(folder / name))
     mount_one("-t", "tmpfs", "-o", "nosuid,mode=0755", "tmpfs", str(folder / "dev"))
     for name, number in {"null": 3, "zero": 5, "random": 8, "urandom": 9}.items():
         os.mknod(folder / "dev" / name, stat.S_IFCHR | 0o666, os.makedev(1, number))
@@ -73,10 +76,10 @@ def unmount(folder):
         subprocess.run(["umount", "--lazy", str(folder / name)], capture_output=True)
 
 
-def run(folder, user, command):
-    """Runs a program of the bundle in its root, in a folder of the user's own."""
+def run(folder, user, command, path="/usr/bin:/bin"):
+    """Runs a program in the root, by its absolute path, in a folder of the user's own."""
     work = folder / work_of(user)
-    work.mkdir()
+    work.mkdir(exist_ok=True)
     os.chown(work, user, user)
 
     def enter():
@@ -86,9 +89,8 @@ def run(folder, user, command):
         os.setgid(user)
         os.setuid(user)
 
-    program = f"/{BUNDLE}/{command[0]}"
-    environment = {"PATH": "/usr/bin:/bin", **({"HOME": "/root"} if user == 0 else {})}
-    return subprocess.run([program, *command[1:]], preexec_fn=enter, env=environment, text=True, capture_output=True)
+    environment = {"PATH": path, **({"HOME": "/root"} if user == 0 else {})}
+    return subprocess.run(command, preexec_fn=enter, env=environment, text=True, capture_output=True)
 
 
 def state_of(folder):

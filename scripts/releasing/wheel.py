@@ -120,8 +120,10 @@ def metadata(python):
     return castaway_build.metadata(project | {"requires-python": f">=3.{python[0].removeprefix('cp3')}"})
 
 
-def fill_package(stage, modules, package):
+def fill_package(stage, core, modules, package):
     shutil.copytree(stage, package)
+    shutil.copyfile(core, package / "lib" / core.name)
+    subprocess.run(["strip", package / "lib" / core.name], check=True)
     for name, file in castaway_build.package_files().items():
         if not name.startswith("castaway/data/"):
             shutil.copyfile(file, package / pathlib.Path(name).name)
@@ -131,10 +133,10 @@ def fill_package(stage, modules, package):
         (package / module.name).chmod(0o755)
 
 
-def write(stage, modules, folder, stamp):
-    """Makes the wheel of a staged bundle and modules in `folder`, for the interpreters and the C library that they need."""
+def write(stage, core, modules, folder, stamp):
+    """Makes the wheel in `folder` of a staged bundle, the modules and their common library, for the interpreters and glibc that they need."""
     package = stage.parent / "wheel/castaway"
-    fill_package(stage, modules, package)
+    fill_package(stage, core, modules, package)
     drop_icu_data(package)
     rename_libraries(package)
     set_run_paths(package)
