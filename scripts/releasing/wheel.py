@@ -12,6 +12,8 @@ import subprocess
 import sys
 import time
 
+from releasing import older_glibc
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 import castaway_build  # noqa: E402  The wheel of `pip install .`.
@@ -21,7 +23,8 @@ OF_COMPILERS = re.compile(r"lib(anl|c|dl|gcc_s|m|mvec|pthread|resolv|rt|stdc\+\+
 OWN = "caw"  # Takes the place of `lib`: names keep their length.
 NAME = re.compile(rb'lib[\w.+-]+(?=[\0"])')
 PART_OF_NAME = re.compile(rb"[\w.+-]")
-LEAST_GLIBC = 28
+LEAST_GLIBC = 35  # What systems have whose libstdc++ is that of GCC 12, as the tags manylinux_2_N have it.
+RANDOM = "cawrandom.so"
 # Opened by name: by libepoxy, by libglvnd, and by Mesa's EGL.
 OPENED = {"cawEGL.so.1": "$ORIGIN", "cawGL.so.1": "$ORIGIN", "cawEGL_mesa.so.0": "$ORIGIN", "renderer/swrast_dri.so": "$ORIGIN/.."}
 
@@ -52,7 +55,14 @@ def rename_libraries(package):
         file.write_bytes(rename_in(file.read_bytes(), names))
     table = package / "share/doc/castaway/PARTS.tsv"
     lines = [part_line(line, names) for line in table.read_text().splitlines()]
+    lines += [f"lib/{name}\tcastaway\t\tcastaway\t\tApache-2.0\tLICENSE" for name in ["cawcastaway.so", RANDOM]]
     table.write_text("\n".join(lines) + "\n")
+
+
+def compile_library(source, target, *options):
+    fixed = ["-std=c11", "-O2", "-fPIC", "-shared", "-D_GNU_SOURCE", f"-Wl,-soname,{target.name},--build-id=none"]
+    subprocess.run(["cc", *fixed, *options, "-o", target, source], check=True)
+    subprocess.run(["strip", target], check=True)
 
 
 def drop_icu_data(package):
@@ -60,9 +70,17 @@ def drop_icu_data(package):
     file, = (package / "lib").glob("libicudata.so.*")
     version = file.name.rsplit(".", 1)[1]
     file.unlink()
-    options = ["-shared", "-nostdlib", "-O2", f"-Wl,-soname,{file.name},--build-id=none", f"-DCASTAWAY_ICU_DATA=icudt{version}_dat"]
-    subprocess.run(["cc", *options, "-o", file, ROOT / "bundle/no_icu_data.c"], check=True)
-    subprocess.run(["strip", file], check=True)
+    compile_library(ROOT / "bundle/no_icu_data.c", file, "-nostdlib", f"-DCASTAWAY_ICU_DATA=icudt{version}_dat")
+
+
+def allow_older_glibc(package):
+    """Gives arc4random to the libraries that need a newer C library for it only (bundle/random.c)."""
+    compile_library(ROOT / "bundle/random.c", package / "lib" / RANDOM)
+    for file in (package / "lib").glob("caw*"):
+        text = output_of("objdump", "-T", file)
+        if set(re.findall(rf"\({re.escape(older_glibc.NEWER)}\)\s+(\S+)", text)) & {"arc4random", "arc4random_buf"}:
+            file.write_bytes(older_glibc.with_older_version(file.read_bytes()))
+            subprocess.run(["patchelf", "--add-needed", RANDOM, file], check=True)
 
 
 def set_run_paths(package):
@@ -139,6 +157,7 @@ def write(stage, core, modules, folder, stamp):
     fill_package(stage, core, modules, package)
     drop_icu_data(package)
     rename_libraries(package)
+    allow_older_glibc(package)
     set_run_paths(package)
     loaded = [*package.glob("_castaway.*.so"), *(package / "lib").glob("caw*"), *(package / "lib/renderer").glob("*.so")]
     require_complete(package, [*loaded, package / "bin/castaway"])
