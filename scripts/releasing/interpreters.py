@@ -53,5 +53,7 @@ def fetch_headers(target, mirror):
 
 
 def add_headers(target, folder):
-    """Adds an interpreter by its folder include/pythonX.Y, which has its own pyconfig.h."""
-    shutil.copytree(folder, target / folder.name, dirs_exist_ok=True)
+    """Adds an interpreter by its folder include/pythonX.Y; pyconfig.h is in it, or where Debian and Ubuntu have it."""
+    for name in [folder.name, f"{MACHINE}/{folder.name}"]:
+        if (folder.parent / name).is_dir():
+            shutil.copytree(folder.parent / name, target / name, dirs_exist_ok=True)

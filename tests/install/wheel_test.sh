@@ -20,14 +20,14 @@ cut -f1 "$package/share/doc/castaway/PARTS.tsv" | grep '^lib/' | sort >parts.txt
 (cd "$package" && find lib -type f | sort) | diff - parts.txt || fail "PARTS.tsv lists other libraries"
 if grep '^lib/lib' parts.txt; then fail "these libraries have the names of the machine's"; fi
 
-quick=(run --duration 3)
+quick=(run --duration 3 --set 'outputs.snapshots={every_s: 2}')
 "$build/castaway" "${quick[@]}" --out expected >expected.log
 PATH="$work/venv/bin:$PATH" castaway "${quick[@]}" --out program >program.log || fail "its program fails"
 cat >run.py <<'PY'
 import pathlib
 import castaway
 
-castaway.run("lab/kidnap", set={"duration_s": 3}, out="python")
+castaway.run("lab/kidnap", set={"duration_s": 3, "outputs.snapshots": {"every_s": 2}}, out="python")
 loaded = {line.split()[-1] for line in pathlib.Path("/proc/self/maps").read_text().splitlines() if ".so" in line}
 assert [name for name in loaded if "/castaway/lib/cawLLVM" in name], "it draws with another renderer"
 doubles = {name for name in loaded if any(word in name for word in ("/libLLVM", "/libEGL", "/libBullet", "/libyaml-cpp"))}
