@@ -21,6 +21,7 @@ install(FILES ${CASTAWAY_MAN}.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPON
 install(FILES ${CASTAWAY_BASH} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME castaway COMPONENT program)
 install(FILES ${CASTAWAY_ZSH} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT program)
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES package.xml DESTINATION ${CASTAWAY_DATA_DIR} COMPONENT development)  # For workspaces of ROS 2 (REP-136).
 
 # The public headers, and the libraries that implement them: castaway::localization and castaway::simulation. What these are made
 # of is installed as archives only.
