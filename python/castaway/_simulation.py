@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import Any, Union
 
 from . import _castaway
 from ._castaway import Event, ImuFrame, Lidar, Map, OdometryFrame, ScanFrame
 from ._localizers import Pose
 from ._scenario import request
 
-Frame = OdometryFrame | ScanFrame | ImuFrame | Event
+Frame = Union[OdometryFrame, ScanFrame, ImuFrame, Event]  # "|" takes Python 3.10.
 
 
 class Simulation:
