@@ -4,7 +4,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 # The program finds its data relative to itself. In the build tree links stand for it.
-set(CASTAWAY_DATA_FOLDERS worlds robots lidars logs datasets campaigns)
+set(CASTAWAY_DATA_FOLDERS worlds robots lidars logs foxglove datasets campaigns)
 set(CASTAWAY_DATA_DIR ${CMAKE_INSTALL_DATADIR}/castaway)
 foreach(folder IN LISTS CASTAWAY_DATA_FOLDERS)
   file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/castaway)
