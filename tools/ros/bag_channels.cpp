@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "tools/ros/ros_sensor.hpp"
 #include "tools/ros/ros_visualization.hpp"
 
 namespace castaway::testbed {
@@ -26,6 +27,9 @@ std::vector<LocalizerChannels> add_localizers(const OptionalTopics& wanted, Topi
     channels.hypotheses = writer.add_topic<ros::MarkerArray>(prefix + "/hypotheses");
     if (wanted.particles) {
       channels.particles = writer.add_topic<ros::PoseArray>(prefix + "/particlecloud");
+    }
+    if (wanted.clouds) {
+      channels.cloud = writer.add_topic<ros::PointCloud2>(prefix + "/particle_points");
     }
     all.push_back(channels);
   }

@@ -18,6 +18,7 @@ struct LocalizerChannels {
   std::uint16_t pose = 0;
   std::uint16_t hypotheses = 0;
   std::uint16_t particles = 0;  ///< Only with `OptionalTopics::particles`.
+  std::uint16_t cloud = 0;      ///< Only with `OptionalTopics::clouds`.
 };
 
 /// Channel ids of the topics that a run has from its beginning. Those of lidars and pictures are
@@ -41,6 +42,7 @@ struct OptionalTopics {
   std::vector<std::string> localizers;  ///< Names.
   bool drive = false;                   ///< Commands and wheel states.
   bool particles = true;                ///< The localizers' particles.
+  bool clouds = false;                  ///< Their particles as clouds.
 };
 
 /// Adds the channels, always in the same order. Localizers whose topics would coincide get

@@ -41,7 +41,7 @@ BagSink::BagSink(const std::filesystem::path& run_folder, const RunInfo& info, c
       bag_(run_folder / "bag", info.scenario, config_.options.compression),
       messages_(info,
                 {config_.links, config_.lidars, config_.options.particles, config_.drive,
-                 config_.options.points},
+                 config_.options.points, config_.options.clouds},
                 bag_),
       snapshots_(run_folder) {
   attach_inputs(config_, map, bag_);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "tools/ros/bag_markers.hpp"
+#include "tools/ros/clouds/flat_cloud.hpp"
 #include "tools/ros/clouds/layer_cloud.hpp"
 #include "tools/ros/event_json.hpp"
 #include "tools/ros/robot_messages.hpp"
@@ -39,8 +40,9 @@ RunMessages::RunMessages(const RunInfo& info, MessagesConfig config, TopicWriter
     : config_(std::move(config)),
       writer_(writer),
       frames_(config_.links, config_.lidars),
-      channels_(add_channels({info.localizers, static_cast<bool>(config_.drive), config_.particles},
-                             writer)),
+      channels_(add_channels(
+          {info.localizers, static_cast<bool>(config_.drive), config_.particles, config_.clouds},
+          writer)),
       heights_(info.heights) {}
 
 void RunMessages::begin(const RosMap& map) {
@@ -104,6 +106,9 @@ const RunMessages::LidarTopics& RunMessages::topics_of(const LaserScan& scan) {
       topics->second.points = writer_.add_topic<ros::PointCloud2>(
           prefix + "/points", Durability::kVolatile, exact_layers(scan));
     }
+    if (config_.clouds) {
+      topics->second.cloud = writer_.add_topic<ros::PointCloud2>(prefix + "/scan_points");
+    }
     topics->second.labels = writer_.add_topic<ros::Int32MultiArray>(prefix + "/scan_labels");
   }
   return topics->second;
@@ -119,6 +124,11 @@ void RunMessages::write_scan(const ScanRecord& record) {
   if (has_points(record.scan)) {
     writer_.publish(topics.points, record.delivered,
                     to_ros_cloud(record.scan, frames_.frame_of(record.scan.lidar)));
+  }
+  if (config_.clouds) {
+    writer_.publish(
+        topics.cloud, record.delivered,
+        returns_cloud(record.scan, record.truth.intensities, frames_.frame_of(record.scan.lidar)));
   }
   if (record.truth.labels.empty()) return;
   writer_.publish(topics.labels, record.delivered, labels_message(record.truth.labels));
@@ -161,9 +171,15 @@ void RunMessages::write_localizer(const ScanRecord& record, std::size_t index) {
   const auto& populations = localizer.diagnostics.populations;
   writer_.publish(channels.hypotheses, record.delivered,
                   hypothesis_markers(record.stamp, populations, heights_));
-  if (!config_.particles) return;
-  writer_.publish(channels.particles, record.delivered,
-                  particles_message(ros_header(record.stamp, "map"), populations, heights_));
+  const ros::Header header = ros_header(record.stamp, "map");
+  if (config_.particles) {
+    writer_.publish(channels.particles, record.delivered,
+                    particles_message(header, populations, heights_));
+  }
+  if (config_.clouds) {
+    writer_.publish(channels.cloud, record.delivered,
+                    particles_cloud(header, populations, heights_));
+  }
 }
 
 void RunMessages::on_scan(const ScanRecord& record) {

@@ -25,6 +25,7 @@ struct MessagesConfig {
   bool particles = true;              ///< All particles of all localizers.
   std::function<DriveNow()> drive{};  ///< Command and wheel states; empty: unknown.
   bool points = true;                 ///< All layers of 3-D lidars.
+  bool clouds = false;                ///< Scans and particles as clouds, too.
 };
 
 /// Writes what happens to a writer of topics.
@@ -49,6 +50,7 @@ class RunMessages {
     std::uint16_t scan = 0;
     std::uint16_t labels = 0;
     std::uint16_t points = 0;  ///< Of 3-D lidars.
+    std::uint16_t cloud = 0;   ///< Only with `MessagesConfig::clouds`.
   };
   const LidarTopics& topics_of(const LaserScan& scan);
   [[nodiscard]] bool has_points(const LaserScan& scan) const;

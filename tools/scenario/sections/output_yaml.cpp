@@ -38,6 +38,7 @@ void fields(Settings settings, BagOptions& bag) {
       {{"zstd", Compression::kZstd}, {"lz4", Compression::kLz4}, {"none", Compression::kNone}});
   settings.field({"particles", "", "All particles of all localizers."}, bag.particles);
   settings.field({"points", "", "Clouds with all layers of 3-D lidars."}, bag.points);
+  settings.field({"clouds", "", "Scans and particles as clouds (PointCloud2), too."}, bag.clouds);
   settings.field({"snapshots", "", "The run's pictures, if it takes any."}, bag.snapshots);
 }
 

@@ -34,6 +34,7 @@ function bagOf(compression, kidnapAt = 1) {
   const sets = {
     'people.count': 3, 'events.0.kidnap.at_s': kidnapAt, 'outputs.snapshots': false, 'outputs.report': false,
     'outputs.bag.compression': compression, 'outputs.bag.particles': true,
+    'outputs.bag.clouds': compression !== 'none',
   };
   castaway('run', '--duration', '4', '--seed', '5', '--out', run,
            ...Object.entries(sets).flatMap(([key, value]) => ['--set', `${key}=${value}`]));
@@ -147,6 +148,40 @@ for (const compression of ['zstd', 'lz4', 'none']) {
     assert.deepEqual(reader.metadataIndexes.map(({name}) => name), ['run', 'labels']);
   });
 }
+
+/** Points of a cloud of floats: x, y, z, intensity. */
+function pointsOf(cloud) {
+  assert.deepEqual(cloud.fields.map(({name, offset, datatype, count}) => [name, offset, datatype, count]),
+                   ['x', 'y', 'z', 'intensity'].map((name, index) => [name, 4 * index, 7, 1]));
+  assert.equal(cloud.data.length, cloud.width * cloud.point_step);
+  const view = new DataView(Uint8Array.from(cloud.data).buffer);
+  return Array.from({length: cloud.width}, (_, i) => [0, 4, 8, 12].map((at) => view.getFloat32(16 * i + at, true)));
+}
+
+test('clouds hold the returns of the scans and the particles', async () => {
+  const {topics} = await readByIndex(bagOf('lz4').bytes);
+  let returns = 0;
+  for (const [i, {message: scan}] of topics['/scan'].entries()) {
+    const {header} = topics['/scan_points'][i].message;
+    assert.deepEqual(header, scan.header);
+    const points = pointsOf(topics['/scan_points'][i].message);
+    const ends = scan.ranges.flatMap((range, beam) => {
+      const angle = scan.angle_min + beam * scan.angle_increment;
+      return typeof range === 'number' ? [[range * Math.cos(angle), range * Math.sin(angle)]] : [];
+    });
+    assert.equal(points.length, ends.length);
+    ends.forEach(([x, y], at) => assert.ok(Math.hypot(points[at][0] - x, points[at][1] - y, points[at][2]) < 1e-4));
+    returns += ends.length;
+  }
+  assert.ok(returns > 1000);
+  for (const [i, {message: {header, poses}}] of topics['/amcl/particlecloud'].entries()) {
+    const cloud = topics['/amcl/particle_points'][i].message;
+    assert.deepEqual(cloud.header, header);
+    assert.ok(poses.length > 100);
+    const expected = poses.map(({position: {x, y, z}}) => [x, y, z].map(Math.fround));
+    assert.deepEqual(pointsOf(cloud).map((point) => point.slice(0, 3)), expected.map((point) => point.map((value) => value + 0)));
+  }
+});
 
 test('attachments are the files of the run', async () => {
   const {run, bytes} = bagOf('zstd');

@@ -147,6 +147,27 @@ TEST_F(BagSinkTest, PutsTheFirstLocalizerIntoTheTree) {
   EXPECT_EQ(edges[0].header.stamp.nanosec, 400'000'000U);
 }
 
+TEST_F(BagSinkTest, WritesScansAndParticlesAsCloudsOnRequest) {
+  write(config());
+  EXPECT_TRUE(messages_of<ros::PointCloud2>(folder(), "/scan_points").empty());
+  EXPECT_TRUE(messages_of<ros::PointCloud2>(folder(), "/mh_amcl/particle_points").empty());
+  BagConfig with = config();
+  with.options.clouds = true;
+  std::filesystem::remove_all(folder() / "bag");
+  write(with);
+  const auto scans = messages_of<ros::PointCloud2>(folder(), "/scan_points");
+  ASSERT_EQ(scans.size(), 2U);
+  EXPECT_EQ(scans[0].header.frame_id, "laser");
+  EXPECT_EQ(scans[0].width, 3U);
+  const auto particles = messages_of<ros::PointCloud2>(folder(), "/mh_amcl/particle_points");
+  ASSERT_EQ(particles.size(), 2U);
+  EXPECT_EQ(particles[0].header.frame_id, "map");
+  EXPECT_EQ(particles[0].header.stamp.nanosec, 400'000'000U);
+  EXPECT_EQ(particles[0].width, 2U);
+  EXPECT_EQ(messages_of<ros::PointCloud2>(folder(), "/amcl_2/particle_points").at(1).width, 0U);
+  EXPECT_TRUE(messages_of<ros::PoseArray>(folder(), "/mh_amcl/particlecloud").empty());
+}
+
 /// 3.5 m up, nose up.
 Eigen::Isometry3d on_ramp() {
   return Eigen::Translation3d(0.0, 0.0, 3.5) * Eigen::AngleAxisd(-0.1, Eigen::Vector3d::UnitY());
