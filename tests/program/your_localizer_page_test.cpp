@@ -34,7 +34,8 @@ TEST(YourLocalizerPage, RunsWordByWord) {
   fs::create_symlink(CASTAWAY_PROGRAM, folder / "bin/castaway");
   for (const char* part : {"examples", "include"}) fs::create_symlink(kRoot / part, folder / part);
   write(folder / "page.sh", shell_blocks(kRoot / "docs/your-localizer.md"));
-  const std::string command = "cd '" + folder.string() + "' && PATH=\"$PWD/bin:$PATH\" bash page.sh >page.log 2>&1";
+  const std::string command =
+      "cd '" + folder.string() + "' && PATH=\"$PWD/bin:$PATH\" bash page.sh >page.log 2>&1";
   ASSERT_EQ(std::system(command.c_str()), 0) << text_of(folder / "page.log");
   for (const char* report : {"mine/run/report.html", "mine/still/report.html"}) {
     EXPECT_TRUE(fs::exists(folder / report)) << report;

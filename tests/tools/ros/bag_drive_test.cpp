@@ -5,7 +5,6 @@
 namespace castaway::testbed {
 namespace {
 
-
 const DriveNow kNow{0.4, -0.2, {{"wheel_left", 3.0}, {"wheel_right", 2.5}}};
 
 TEST(BagDrive, CommandsAreTwistsOfBase) {

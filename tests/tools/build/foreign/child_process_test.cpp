@@ -55,7 +55,8 @@ TEST(ChildProcess, TellsHowItEnded) {
   ChildProcess exits(shell("exit 3"), {});
   EXPECT_EQ(exits.how_it_ended(std::chrono::seconds(10)), "exited with 3");
   ChildProcess dies(shell("kill -SEGV $$"), {});
-  EXPECT_EQ(dies.how_it_ended(std::chrono::seconds(10)), "was killed by signal 11 (Segmentation fault)");
+  EXPECT_EQ(dies.how_it_ended(std::chrono::seconds(10)),
+            "was killed by signal 11 (Segmentation fault)");
   ChildProcess runs({"sleep", "100"}, {});
   EXPECT_EQ(runs.how_it_ended(milliseconds(0)), std::nullopt);
 }
@@ -141,7 +142,8 @@ TEST(LineChannel, WaitsNoLongerThanItShould) {
 TEST(LineChannel, TellsWhatTheProgramDid) {
   ChildProcess ends(shell("read line; exit 5"), {});
   LineChannel to_end(ends);
-  EXPECT_EQ(error_of([&] { (void)to_end.exchange("a\n", std::chrono::seconds(10)); }), "exited with 5");
+  EXPECT_EQ(error_of([&] { (void)to_end.exchange("a\n", std::chrono::seconds(10)); }),
+            "exited with 5");
   ChildProcess closes(shell("exec >&-; sleep 100"), {});
   LineChannel to_close(closes);
   EXPECT_EQ(error_of([&] { (void)to_close.exchange("a\n", std::chrono::seconds(10)); }),
